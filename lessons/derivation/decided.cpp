@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/derivation/decided.h"
 
+#include "lessons/derivation/canonical_form.h"
 #include "lessons/derivation/rewriting.h"
 
 #include <algorithm>
@@ -227,6 +228,19 @@ class Decision {
 
 bool is_decided(const Equality& link, const Derivation& derivation, const Prover& prover) {
   return Decision(link, derivation, prover).decide();
+}
+
+bool is_mere_rearrangement(const Equality& equality) {
+  const auto &left = equality.left, &right = equality.right;
+  if (left.text == right.text) return true;
+  if (!is_rational(left) || !is_rational(right) || !canonical_form(equality).empty()) return false;
+  const auto is_zero = [](const Expression& side) { return side.type() == ExpressionType::zero; };
+  // a × a = 0 says something, though the form drops it; b·a - a·b = 0 does not.
+  if (is_zero(left) || is_zero(right)) return !left.uses(O::cross) && !right.uses(O::cross);
+  std::vector<SignedTerm> of_left, of_right;  // what adds up, or cancels, says something
+  add_terms(left, static_cast<int>(left.nodes.size()) - 1, true, of_left);
+  add_terms(right, static_cast<int>(right.nodes.size()) - 1, true, of_right);
+  return of_left.size() == of_right.size();
 }
 
 }  // namespace polhode

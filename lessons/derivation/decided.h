@@ -17,4 +17,8 @@ namespace polhode {
 /// - it is a line of the lesson's solution, multiplied out, with none of its terms cancelled.
 bool is_decided(const Equality& link, const Derivation& derivation, const Prover& prover);
 
+/// Whether both sides are the same factors and terms in another order, a·b = b·a: this says nothing. Not so
+/// of an identity of vectors, a·(b×c) = b·(c×a), and not of a bracket that is multiplied out.
+bool is_mere_rearrangement(const Equality& equality);
+
 }  // namespace polhode

@@ -48,11 +48,9 @@ bool is_bracket(const Item& item) {
          std::u32string_view(U"()[]{}|‖⟨⟩⌊⌋⌈⌉⟮⟯").find(item.node->character) != std::u32string_view::npos;
 }
 
-/// Nothing, or words that state nothing.
-bool is_name(const MathNode& label) {
+bool is_empty(const MathNode& label) {
   const MathNode& words = without_groups(label);
-  return words.kind == Kind::text ? !states_something(label)
-                                  : words.kind == Kind::row && words.children.empty();
+  return words.kind == Kind::row && words.children.empty();
 }
 
 constexpr double kScriptStyle = 2;
@@ -148,9 +146,9 @@ class Flattening {
           throw TexFault(node.span, "this is not read when it is struck out");
         if (node.kind == Kind::arrow)
           for (const MathNode& label : node.children)
-            if (!label.absent() && !is_name(label))
-              throw TexFault(label.span, "a formula on an arrow, or words that state something, are not read",
-                             "write it beside the arrow");
+            if (!label.absent() && !is_empty(label))
+              throw TexFault(label.span, "what stands on an arrow is not read",
+                             "write \\Rightarrow, and the words into the text");
         return push(std::move(item));
       }
       case Kind::grid:

@@ -95,16 +95,20 @@ std::optional<TexValue> TexTerms::rate_by_fraction(Items items, std::size_t& at)
 std::optional<TexValue> TexTerms::inline_rate(Items items, std::size_t& at) {
   if (!is_letter_d(items[at]) || !from_space(items[at]) || at + 4 >= items.size()) return std::nullopt;
   const bool space = *from_space(items[at]);
-  if (items[at + 2].kind != ItemKind::times || items[at + 2].character != U'/' ||
-      !is_letter_d(items[at + 3]) || !is_plain(items[at + 3]) || !is_symbol(items[at + 4], U't') ||
-      !is_plain(items[at + 4]))
+  const std::size_t of_size = items[at + 2].kind == ItemKind::group ? 2 : 1;  // "(t)" behind it
+  const std::size_t slash = at + 1 + of_size;
+  if (slash + 2 >= items.size() || !items[slash].is(ItemKind::times, U'/') ||
+      !is_letter_d(items[slash + 1]) || !is_plain(items[slash + 1]) || !is_symbol(items[slash + 2], U't') ||
+      !is_plain(items[slash + 2]))
     return std::nullopt;
-  if (at > 0 || at + 5 < items.size())
+  if (at > 0 || slash + 3 < items.size())
     throw TexFault(items[at].span, "how far does this fraction go?", "write \\frac{d…}{dt}");
-  const SourceSpan span = joined_span(items[at].span, items[at + 4].span);
+  const SourceSpan span = joined_span(items[at].span, items[slash + 2].span);
   std::size_t inner = 0;
-  const TexValue of = factor(items.subspan(at + 1, 1), inner).value;
-  at += 5;
+  const TexValue of = factor(items.subspan(at + 1, of_size), inner).value;
+  if (inner != of_size)
+    throw TexFault(items[at].span, "how far does this fraction go?", "write \\frac{d…}{dt}");
+  at = slash + 3;
   return rate(of, space, span);
 }
 

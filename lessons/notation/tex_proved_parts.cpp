@@ -78,7 +78,7 @@ class ProvedParts {
   /// Of what stands beside a part, the nearest first.
   template <class Iterator>
   static bool is_apart(Iterator at, Iterator end) {
-    constexpr double kQuad = 0.99, kThin = -0.17;  // em
+    constexpr double kThin = -0.17;  // em
     bool is_wide = false;
     for (; at != end; ++at) {
       const MathNode* node = *at;
@@ -89,7 +89,9 @@ class ProvedParts {
       }
       if (node->kind == Kind::nothing) continue;
       const bool is_symbol = node->kind == Kind::symbol;
-      if (is_symbol && (node->atom == MathClass::punctuation || node->character == U'.')) return true;
+      if (is_symbol && (node->atom == MathClass::punctuation || node->character == U'.'))
+        return is_wide || !begins_number(std::next(at), end);
+      if (is_symbol && node->character >= U'0' && node->character <= U'9') return false;
       if (node->kind == Kind::text) return true;  // it parts what is said of two things
       // A sign, or a condition in brackets, reaches across a space.
       const bool reaches = node->kind == Kind::arrow || node->kind == Kind::fenced ||
@@ -101,10 +103,24 @@ class ProvedParts {
     return true;
   }
 
+  /// "2.5" and "2,5" are numbers, however little space stands behind the point.
+  template <class Iterator>
+  static bool begins_number(Iterator at, Iterator end) {
+    for (; at != end; ++at) {
+      if (((*at)->kind == Kind::space && (*at)->amount < kQuad) || (*at)->kind == Kind::nothing) continue;
+      const MathNode* node = &without_groups(**at);
+      while (node->kind == Kind::scripts) node = &without_groups(node->children.front());
+      return node->kind == Kind::symbol && node->character >= U'0' && node->character <= U'9';
+    }
+    return false;
+  }
+
   [[noreturn]] static void refuse(const MathNode& at) {
     throw TexFault(at.span, "what stands beside this part, or around it, is not proved and joins on to it",
                    "part it off by a comma, \\quad or a new line, or write a formula of its own");
   }
+
+  static constexpr double kQuad = 0.99;  // em
 
   std::vector<const MathNode*>& parts_;
 };

@@ -7,6 +7,8 @@
 #include "lessons/notation/tex_units.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <utility>
 
 namespace polhode {
@@ -14,6 +16,33 @@ namespace {
 
 using ItemKind = TexItem::Kind;
 using Items = TexTerms::Items;
+
+/// What a reader sees of it: without colours, boxes, small spaces and brackets that are not drawn. Indices
+/// and powers as they stand.
+MathNode as_seen(const MathNode& node) {
+  using Kind = MathNode::Kind;
+  constexpr double kQuad = 0.99;  // em
+  const auto is_invisible = [](const MathNode& one) {
+    return one.kind == Kind::nothing || one.kind == Kind::style ||
+           (one.kind == Kind::space && std::abs(one.amount) < kQuad);
+  };
+  const auto is_relation = [](const MathNode& one) {
+    return one.kind == Kind::symbol && one.atom == MathClass::relation;
+  };
+  if (node.kind == Kind::stacked && is_relation(without_groups(node.children[0])))
+    return without_groups(node.children[0]);
+  MathNode seen = node;
+  if (node.kind == Kind::symbol && node.character == U'≐') seen.character = U'=';
+  const bool is_bare = node.kind == Kind::fenced && node.children.size() == 3 &&
+                       node.children[0].character == 0 && node.children[2].character == 0;
+  if (is_bare) seen.children = {node.children[1]};
+  if (is_bare || node.kind == Kind::color || node.kind == Kind::box) seen.kind = Kind::row;
+  if (seen.kind == Kind::row || seen.kind == Kind::alphabet || seen.kind == Kind::term)
+    std::erase_if(seen.children, is_invisible);
+  const std::size_t read = seen.kind == Kind::scripts ? 1 : seen.children.size();
+  for (std::size_t i = 0; i < read; ++i) seen.children[i] = as_seen(seen.children[i]);
+  return seen;
+}
 
 class StatementReader {
  public:
@@ -228,7 +257,8 @@ class StatementReader {
   }
 
   std::optional<Side> side_of(Items items) {
-    while (!items.empty() && is_symbol(items.back(), U'.') && is_plain(items.back()))
+    while (!items.empty() && (is_symbol(items.back(), U'.') || is_symbol(items.back(), U'!')) &&
+           is_plain(items.back()))
       items = items.first(items.size() - 1);  // a full stop
     if (items.empty()) return std::nullopt;
     Side side;
@@ -276,12 +306,6 @@ class StatementReader {
       return std::nullopt;
     }
   }
-  static bool changes(const Expression& is) {
-    return std::any_of(is.nodes.begin(), is.nodes.end(), [](const ExpressionNode& node) {
-      return node.operation == Operation::quantity && node.quantity != Quantity::I1 &&
-             node.quantity != Quantity::I2 && node.quantity != Quantity::I3 && node.quantity != Quantity::m;
-    });
-  }
 
   void note_what_is_not_read(Items items) {
     for (const TexItem& item : items) {
@@ -306,8 +330,10 @@ class StatementReader {
 
 Statements stated_in(const Math& math, const EquationNotation& notation) {
   if (!math.root || !math.live.empty()) return {};
+  Math seen = math;
+  seen.root = std::make_shared<const MathNode>(as_seen(*math.root));
   try {
-    return StatementReader(math, notation).read();
+    return StatementReader(seen, notation).read();
   } catch (const TexFault&) {
     return {};
   }

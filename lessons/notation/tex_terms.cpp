@@ -6,7 +6,10 @@
 #include "lessons/notation/tex_atoms.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <functional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -33,6 +36,28 @@ bool is_like_argument(const TexItems& inside) {
   if (inside.size() != 1 && !signed_one) return std::all_of(inside.begin(), inside.end(), fits);
   const TexItem& only = inside.back();
   return only.kind == ItemKind::operand && only.node->kind != Kind::fraction && only.node->kind != Kind::grid;
+}
+
+/// "the power of the torque": nouns, articles and "of". What says when, where or how begins with another of
+/// the few words that join those.
+bool is_noun_phrase(const std::string& words) {
+  static const std::set<std::string, std::less<>> kJoining = {
+      "about", "above",   "after",   "again",  "all",   "almost", "also",  "and",     "any",   "as",
+      "at",    "because", "before",  "below",  "but",   "by",     "due",   "during",  "each",  "even",
+      "every", "except",  "for",     "from",   "hence", "here",   "if",    "in",      "into",  "its",
+      "just",  "like",    "near",    "nearly", "on",    "once",   "only",  "or",      "over",  "per",
+      "same",  "since",   "so",      "some",   "than",  "that",   "then",  "there",   "thus",  "to",
+      "too",   "under",   "unless",  "until",  "via",   "when",   "where", "whether", "which", "while",
+      "with",  "within",  "without", "here",   "both",  "still",  "yet",   "such",    "other"};
+  std::string word;
+  for (const char c : words + ' ') {
+    if (c != ' ') {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (kJoining.contains(std::exchange(word, {}))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -195,6 +220,34 @@ TexValue TexTerms::run(Items items, std::size_t& at) {
   return std::move(*whole);
 }
 
+/// "(t)" behind what changes, which is said of every time anyway; "(t)^2" is a power of it.
+void TexTerms::take_time(const TexItem& before, Items items, std::size_t& at, Factor& factor) {
+  const TexItem& item = items[at];
+  if (item.kind != ItemKind::group || item.open != U'(' || item.inside.empty()) return;
+  const Items inside(item.inside);
+  const bool begins_with_t = is_symbol(inside.front(), U't') && is_common(*inside.front().node);
+  const bool is_number = std::all_of(inside.begin(), inside.end(), [](const TexItem& one) {
+    return one.kind == ItemKind::sign || one.kind == ItemKind::text || is_digit(one) || is_symbol(one, U'.');
+  });
+  if (!begins_with_t && !is_number) return;
+  std::size_t end = 0;
+  if (factor.value.is_tensor() || declared(inside, end)) return;
+  const Expression is = expression_of(factor.value, notation_.vocabulary);
+  const bool is_function = factor.function_like || (is.order() > 0 && before.kind != ItemKind::group);
+  if (!changes(is) || (!begins_with_t && !is_function)) return;
+  if (inside.size() > 1 || !begins_with_t || !is_plain(inside.front()))
+    throw TexFault(item.span, "is this an argument, or a factor? What is so at one time alone is not read",
+                   "say what holds at every time, or put the value into the text");
+  if (item.sup != nullptr && before.sup != nullptr)
+    throw TexFault(item.span, "powers stand before and behind (t)", "write (t) behind the power");
+  factor.span = joined_span(factor.span, item.span);
+  factor.value = raised_by(std::move(factor.value), item, false, false);
+  factor.value.span = factor.span;
+  factor.lone = false;
+  factor.function_like = true;
+  ++at;
+}
+
 /// Runs with ⋅ and × between them; see the rules of precedence in tex_equation.h.
 TexValue TexTerms::chain(std::vector<TexValue> runs, const std::vector<const TexItem*>& signs) {
   const SourceSpan whole = joined_span(runs.front().span, runs.back().span);
@@ -260,6 +313,12 @@ TexValue TexTerms::chain(std::vector<TexValue> runs, const std::vector<const Tex
 }
 
 TexTerms::Factor TexTerms::factor(Items items, std::size_t& at) {
+  Factor made = timeless_factor(items, at);
+  if (!made.number && at < items.size() && !items[at].struck) take_time(items[at - 1], items, at, made);
+  return made;
+}
+
+TexTerms::Factor TexTerms::timeless_factor(Items items, std::size_t& at) {
   const TexItem& item = items[at];
   spend(item.span);
   Factor made;
@@ -411,6 +470,9 @@ TexValue TexTerms::group(const TexItem& item) {
     if (words && states_something(label))
       throw TexFault(item.label->span, "words under a brace are not proved, and these state something",
                      "write it as a formula: \\underbrace{a}_{0}");
+    if (words && !is_noun_phrase(words_of(label)))
+      throw TexFault(item.label->span, "words at a brace are a name, and these say more",
+                     "name what it holds, or write a formula there");
     if (words && !value.is_tensor() &&
         !can_have(dimensions_of_words(words_of(label)),
                   dimension_of(expression_of(value, notation_.vocabulary), {}).dimension))

@@ -69,8 +69,10 @@ class TexTerms {
 
   std::optional<TexValue> product(Items items);
   TexValue run(Items items, std::size_t& at);
+  void take_time(const TexItem& before, Items items, std::size_t& at, Factor& factor);
   TexValue chain(std::vector<TexValue> runs, const std::vector<const TexItem*>& signs);
   Factor factor(Items items, std::size_t& at);
+  Factor timeless_factor(Items items, std::size_t& at);
   TexValue rate_of_run(Items items, std::size_t& at, bool from_space, SourceSpan place);
   std::optional<TexValue> rate_by_fraction(Items items, std::size_t& at);
   std::optional<TexValue> inline_rate(Items items, std::size_t& at);

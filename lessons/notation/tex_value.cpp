@@ -301,4 +301,30 @@ Expression expression_of(const TexValue& value, const Vocabulary& vocabulary) {
   throw TexFault(place, first.message, first.hint);
 }
 
+bool changes(const Expression& is) {
+  return std::any_of(is.nodes.begin(), is.nodes.end(), [](const ExpressionNode& node) {
+    if (node.operation != Operation::quantity) return false;
+    switch (node.quantity) {
+      case Quantity::I1:
+      case Quantity::I2:
+      case Quantity::I3:
+      case Quantity::m:
+      case Quantity::h:
+      case Quantity::k:
+      case Quantity::ex:
+      case Quantity::ey:
+      case Quantity::ez:
+      case Quantity::Jxx:
+      case Quantity::Jxy:
+      case Quantity::Jxz:
+      case Quantity::Jyy:
+      case Quantity::Jyz:
+      case Quantity::Jzz:
+        return false;
+      default:
+        return true;
+    }
+  });
+}
+
 }  // namespace polhode

@@ -83,4 +83,7 @@ TexValue unit_vector(int axis, SourceSpan span);
 /// The whole as an expression; faults of the language point into the TeX.
 Expression expression_of(const TexValue& value, const Vocabulary& vocabulary);
 
+/// Whether a motion changes it: T, \vec\omega, but no moment, mass or axis of space.
+bool changes(const Expression& is);
+
 }  // namespace polhode

@@ -125,6 +125,16 @@ bool states_nothing(const MathNode& node) {
   return std::all_of(node.children.begin(), node.children.end(), states_nothing);
 }
 
+/// "3", "3.2", "3a", "3'", "A": words beside an equation would say something of it.
+bool is_tag(std::string_view tag) {
+  const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_mark = [](char c) { return c == '\'' || c == '*'; };
+  auto at = std::find_if_not(tag.begin(), tag.end(), is_digit);
+  if (at != tag.end() && is_letter(*at)) ++at;
+  return !tag.empty() && std::all_of(at, tag.end(), is_mark);
+}
+
 }  // namespace
 
 // A fence with the words of its opening line.
@@ -506,12 +516,6 @@ std::optional<Claim> StageBuilder::claim_printed_in(const Equation& equation, co
   };
   if (kind == ClaimKind::is_false && !equation.math.live.empty())
     return refuse(whole("a live number is what it is on this motion, and false in general"));
-  const auto is_part_of_name = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '\'' || c == '.' || c == ',' || c == ' ' ||
-           c == '*';
-  };
-  if (!std::all_of(equation.tag.begin(), equation.tag.end(), is_part_of_name))
-    return refuse(whole("its tag is not a number or a name"));
   Claim claim{.equation = equation.id, .kind = *kind, .lines = {}, .place = fence.place};
   if (!take_given(fence, claim)) return std::nullopt;
   const bool goes_on =
@@ -565,6 +569,9 @@ void StageBuilder::take_tag(const Equation& equation) {
     const std::string tag = equation.tag.substr(begin, end - begin);
     begin = std::min(end + 2, equation.tag.size());
     const SourcePlace place = source_.place_of(equation.offset + at);
+    if (!is_tag(tag))
+      report_.error(place, "a tag is a number, or a letter, and not " + in_quotes(tag),
+                    "for example 3, 3a or 3'; write words into the text");
     const auto [first, is_new] = tags_.try_emplace(tag, Tagged{place.line, equation.tex});
     if (!is_new && first->second.tex != equation.tex)
       report_.warning(

@@ -7,6 +7,7 @@
 #include "lessons/claims/proof/small_states.h"
 #include "lessons/derivation/decided.h"
 #include "lessons/diagnostics/report.h"
+#include "lessons/notation/tex_sides.h"
 #include "lessons/reader/checks/formula_signs.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "lessons/reader/checks/name_check.h"
@@ -18,8 +19,10 @@
 #include "render/typeset/math/tree.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -174,6 +177,7 @@ class ClaimCheck {
   void check(const Other&, const Step&) {}
 
   void check(const Equation& equation, const Step& step) {
+    if (equation.math.root) check_braces(*equation.math.root, equation);
     if (!is_proved_as_printed(equation, step))
       statement_check_.check_display(equation, text_before(equation, step), [&] { return motions_of(step); });
     if (equation.math.live.empty() || !step.scene) return;
@@ -189,6 +193,26 @@ class ClaimCheck {
       return;
     if (model_of(step) != nullptr)
       number_check_.check_formula(equation.math, above, motion_of(step), proved != nullptr);
+  }
+
+  /// "kinetic energy" below a brace is what the brace holds.
+  void check_braces(const MathNode& node, const Equation& equation) {
+    using Kind = MathNode::Kind;
+    const bool is_labelled =
+        node.kind == Kind::scripts && without_groups(node.children[0]).kind == Kind::brace;
+    for (std::size_t script = 1; is_labelled && script < node.children.size(); ++script) {
+      Math label, inside;
+      label.root = std::make_shared<const MathNode>(node.children[script]);
+      inside.root = std::make_shared<const MathNode>(without_groups(node.children[0]).children.front());
+      const std::string words = words_of_formula(label);
+      const auto said = words.empty() ? std::nullopt : quantity_of_common_name(words, lesson_);
+      const auto held = said ? read_side(inside, lesson_.notation) : std::nullopt;
+      if (!held || (fit(said->type(), held->type()) && may_be_same(*said, *held))) continue;
+      report_.error(source_.place_of(std::min(equation.offset + node.span.begin, source_.text().size())),
+                    in_quotes(words) + " at a brace is " + said->text + ", and it holds something else",
+                    "say what it holds");
+    }
+    for (const MathNode& child : node.children) check_braces(child, equation);
   }
 
   /// The prose that stands directly before a display; null if there is none.
@@ -450,6 +474,7 @@ class ClaimCheck {
     if (claim.origin == Claim::Origin::beside) check_against_formula(claim);
     if (claim.origin == Claim::Origin::part) check_is_not_empty(claim);
     check_live_numbers(claim, step);
+    check_kind(claim);
     for (const ClaimLine& line : claim.lines) {
       if (report_.is_full()) return;
       if (claim.kind == ClaimKind::measured)
@@ -484,6 +509,7 @@ class ClaimCheck {
       check_is_not_empty(claim);
       compare_relations(claim, (*named)->math);
       if (!claim.in_other_words) compare_letters(claim, (*named)->math);
+      if (!claim.in_other_words) compare_factors(claim, (*named)->math);
     }
   }
 
@@ -530,7 +556,7 @@ class ClaimCheck {
   /// What an author chose to claim, by hand or with \proved, is to say something.
   void check_is_not_empty(const Claim& claim) {
     for (const ClaimLine& line : claim.lines)
-      if (line.equality.left.text == line.equality.right.text && !line.is_number)
+      if (!line.conclusion && !line.is_number && is_mere_rearrangement(line.equality))
         report_.error(line.place, "this says nothing: both sides are the same",
                       "claim what the formula says, or let it stand without a kind");
   }
@@ -573,10 +599,61 @@ class ClaimCheck {
                       kHint);
   }
 
+  /// "T = w·L/3" above "T = w·L/2": the letters are the same.
+  void compare_factors(const Claim& claim, const Math& formula) {
+    const std::set<double> shown = factors_in(*formula.root);
+    std::set<double> claimed;
+    const auto look = [&](const Expression& side) {
+      for (const ExpressionNode& node : side.nodes)
+        if (node.operation == Operation::number) add_factor(node.number.value, claimed);
+    };
+    for (const ClaimLine& line : claim.lines)
+      for (const Equality* one : {&line.equality, line.conclusion ? &*line.conclusion : nullptr}) {
+        if (one == nullptr) continue;
+        look(one->left);
+        look(one->right);
+      }
+    if (shown != claimed)
+      report_.warning(claim.place, "the formula has other numbers than the claim",
+                      "claim what is printed, or end the fence's line with in-other-words");
+  }
+
   static std::string joined(const std::set<std::string>& names) {
     std::string text;
     for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
     return text;
+  }
+
+  /// What a definition defines stands alone on a side; a law, and what is measured, could be otherwise.
+  void check_kind(const Claim& claim) {
+    const auto is_name = [](const Expression& side) {
+      return std::all_of(side.text.begin(), side.text.end(),
+                         [](unsigned char c) { return std::isalnum(c) || c == '_'; }) &&
+             std::isalpha(static_cast<unsigned char>(side.text.front()));
+    };
+    const bool is_all_identity =
+        claim.kind == ClaimKind::measured &&
+        std::all_of(claim.lines.begin(), claim.lines.end(),
+                    [&](const ClaimLine& line) { return !line.conclusion && is_identity(line.equality); });
+    if (is_all_identity && !claim.lines.empty())
+      report_.error(claim.place,
+                    "this measures nothing: it holds by what its quantities are, on every motion",
+                    "its kind is identity");
+    for (const ClaimLine& line : claim.lines) {
+      const Equality& sides = line.equality;
+      if (claim.kind == ClaimKind::definition && !line.goes_on && line.is_side_by_side &&
+          !is_name(sides.left) && !is_name(sides.right))
+        report_.error(line.place, "this defines nothing: no side is a quantity alone",
+                      "its kind is identity, or write what it defines alone on a side");
+      if (claim.kind == ClaimKind::law && !line.goes_on && is_identity(sides))
+        report_.error(line.place, "this is no law: it holds by what its quantities are",
+                      "its kind is identity, or definition");
+    }
+  }
+
+  bool is_identity(const Equality& sides) const {
+    spend(effort_, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(sides));
+    return is_provable(sides) && prover_.settle(sides, Assumption::identity) == Verdict::holds;
   }
 
   void check_measured(const Claim& claim, const ClaimLine& line, const Step& step) {

@@ -4,7 +4,10 @@
 #include "lessons/notation/tex_items.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <string_view>
+#include <vector>
 
 namespace polhode {
 
@@ -46,6 +49,48 @@ std::set<Relation> relations_in(const MathNode& node) {
   if (const auto relation = is_relation ? relation_of(item) : std::nullopt) found.insert(*relation);
   for (const MathNode& child : node.children) found.merge(relations_in(child));
   return found;
+}
+
+void add_factor(double number, std::set<double>& factors) {
+  constexpr double kRounding = 1e-9;
+  if (number == 0 || number == 1) return;
+  const double other_way = 1 / number;
+  const bool is_part = number < 1 && std::abs(other_way - std::round(other_way)) < kRounding;
+  factors.insert(is_part ? std::round(other_way) : number);
+}
+
+std::set<double> factors_in(const MathNode& node) {
+  std::set<double> found;
+  const std::vector<MathNode>& parts = node.children;
+  const auto is_digit = [](const MathNode& one) {
+    return one.kind == MathNode::Kind::symbol && one.character >= U'0' && one.character <= U'9' &&
+           one.alphabet != Alphabet::bold;
+  };
+  if (is_digit(node)) add_factor(node.character - U'0', found);
+  const bool has_scripts = node.kind == MathNode::Kind::scripts;
+  const bool is_row = node.kind == MathNode::Kind::row || node.kind == MathNode::Kind::alphabet ||
+                      node.kind == MathNode::Kind::term;
+  for (std::size_t i = 0; i < (has_scripts ? 1 : parts.size()); ++i) {
+    std::string digits;
+    for (; i < parts.size() && is_row; ++i) {
+      const bool is_point = parts[i].kind == MathNode::Kind::symbol && parts[i].character == U'.';
+      if (!is_digit(parts[i]) && (!is_point || digits.empty())) break;
+      digits += static_cast<char>(parts[i].character);
+    }
+    if (!digits.empty()) add_factor(std::stod(digits), found);
+    if (i < parts.size()) found.merge(factors_in(parts[i]));
+  }
+  return found;
+}
+
+bool has_empty_script(const MathNode& node) {
+  if (node.kind == MathNode::Kind::scripts)
+    for (const std::size_t script : {1, 2})
+      if (!node.children[script].absent()) {
+        const MathNode& inner = without_groups(node.children[script]);
+        if (inner.kind == MathNode::Kind::row && inner.children.empty()) return true;
+      }
+  return std::any_of(node.children.begin(), node.children.end(), has_empty_script);
 }
 
 }  // namespace polhode

@@ -18,5 +18,11 @@ bool says_no_equality(const MathNode& node);
 std::set<std::string> operators_in(const MathNode& node);
 /// What it says of its sides, in the order of the enumeration: = and < of "a = b < c".
 std::set<Relation> relations_in(const MathNode& node);
+/// The numbers that it has as factors, not those of indices and powers: 2 and 3 of 2/3.
+std::set<double> factors_in(const MathNode& node);
+/// 0 and 1 are not among them, and 0.5 is as good as 1/2.
+void add_factor(double number, std::set<double>& factors);
+/// T_{}: an index or a power that nobody sees.
+bool has_empty_script(const MathNode& node);
 
 }  // namespace polhode

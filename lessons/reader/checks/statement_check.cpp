@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/claims/live_claims.h"
+#include "lessons/reader/checks/formula_signs.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "lessons/reader/checks/numbers/typed_numbers.h"
 #include "lessons/reader/checks/prose/clause.h"
@@ -133,6 +134,7 @@ void StatementCheck::check_lines(const RichText& text, const Motions& motions, b
       const Standing standing = sentences.standing_of(i);
       const bool goes_on =
           i + 1 < spans.size() && spans[i + 1].kind == TextSpan::Kind::text && !spans[i].break_after;
+      check_scripts(spans[i].math, spans[i].source.begin);
       // "$\\vec\\omega = (0, 2, 0)$" chosen is a state.
       if (is_choice && spans.size() == 1 && !sentences.stated(i).components.empty()) continue;
       const Context context{standing, spans[i].text, spans[i].source.begin,
@@ -297,6 +299,12 @@ void StatementCheck::check_table(const TextTable& table, const Motions& motions)
   }
 }
 
+void StatementCheck::check_scripts(const Math& math, std::size_t offset) {
+  if (math.root && has_empty_script(*math.root))
+    report_.error(report_.source().place_of(std::min(offset, report_.source().text().size())),
+                  "an index or a power in this formula is empty", "leave it out");
+}
+
 /// No claim beside a formula makes right what adds metres to seconds.
 void StatementCheck::check_units(const Statements& stated, std::size_t offset) {
   const auto refuse = [&](SourceSpan at, const std::string& why) {
@@ -325,6 +333,7 @@ void StatementCheck::check_display(const Equation& equation, const RichText* bef
   own.math = equation.math;
   const Sentences sentences(spans, lesson_.notation);
   const Statements& stated = sentences.stated(spans.size() - 1);
+  check_scripts(equation.math, equation.offset);
   check_units(stated, equation.offset);
   check(stated, {sentences.standing_of(spans.size() - 1), equation.tex, equation.offset}, motions);
 }

@@ -56,6 +56,7 @@ class StatementCheck {
   void check_table(const TextTable& table, const Motions& motions);
   void check_axes(const TextTable& table, std::size_t column, const Motions& motions);
   void refuse_number(const TypedNumber& number, std::size_t offset, const std::string& why);
+  void check_scripts(const Math& math, std::size_t offset);
   void check_units(const Statements& stated, std::size_t offset);
   void refuse(const StatedLink& link, const Context& context, const std::string& why,
               const std::string& hint);

@@ -208,6 +208,37 @@ std::string without_alphabets(std::string tex) {
   return tex;
 }
 
+/// Whether an arrow stands above all of it, as above a vector.
+bool has_arrow(const MathNode& node) {
+  const MathNode& inner = without_groups(node);
+  if (inner.kind == MathNode::Kind::accent) return inner.character == 0x20D7;
+  const bool is_decorated = inner.kind == MathNode::Kind::scripts || inner.kind == MathNode::Kind::alphabet;
+  return is_decorated && !inner.children.empty() && has_arrow(inner.children.front());
+}
+/// An arrow, a hat or bold type.
+bool is_printed_as_vector(const MathNode& node) {
+  const MathNode& inner = without_groups(node);
+  if (inner.kind == MathNode::Kind::accent || inner.alphabet == Alphabet::bold ||
+      inner.alphabet == Alphabet::bold_italic)
+    return true;
+  return std::any_of(inner.children.begin(), inner.children.end(), is_printed_as_vector);
+}
+
+/// The axis of space that an index names, of an expression that speaks of another one; 0: of none.
+char axis_of_another(const MathNode& node, const Expression& expression) {
+  const MathNode& inner = without_groups(node);
+  if (inner.kind != MathNode::Kind::scripts || inner.children[1].absent()) return 0;
+  const MathNode& index = without_groups(inner.children[1]);
+  const bool is_axis =
+      index.kind == MathNode::Kind::symbol && index.character >= U'x' && index.character <= U'z';
+  if (!is_axis) return 0;
+  constexpr std::array<Quantity, 3> kAxes{Quantity::ex, Quantity::ey, Quantity::ez};
+  const std::size_t named = index.character - U'x';
+  const bool speaks_of_one =
+      std::any_of(kAxes.begin(), kAxes.end(), [&](Quantity axis) { return expression.uses(axis); });
+  return speaks_of_one && !expression.uses(kAxes[named]) ? static_cast<char>(index.character) : '\0';
+}
+
 /// A letter alone, the words that are said for it and its colour are those of a quantity of this kind.
 void check_name(const TomlEntry& entry, const Symbol& symbol, const FrontMatter& front, Report& report) {
   const bool is_known = is_quantity(entry.key);
@@ -238,6 +269,17 @@ void check_name(const TomlEntry& entry, const Symbol& symbol, const FrontMatter&
   const auto expression = expression_of_symbol(entry.key, symbol, front);
   const auto dimension = expression ? dimension_of(*expression, front.dimensions).dimension : std::nullopt;
   const bool is_constant = word != nullptr && word->constant();
+  if (expression && symbol.math.root) {
+    const MathNode& printed = *symbol.math.root;
+    if (expression->type() == ExpressionType::scalar && has_arrow(printed))
+      return refuse("is a number, and has the arrow of a vector", "leave out \\vec");
+    const bool is_direction = dimension == kNumber;  // a name of an axis
+    if (expression->type() == ExpressionType::vector && !is_direction && !is_printed_as_vector(printed))
+      return refuse("is a vector, and is printed as a number", "write \\vec");
+    if (const char axis = axis_of_another(printed, *expression); axis != 0)
+      return refuse("has the index " + in_quotes(std::string(1, axis)) + ", and is along another axis",
+                    "give it the index of its axis");
+  }
   if (is_constant && !dimension && !of_letter.empty())
     return refuse("is printed as a quantity of " + to_string(of_letter.front()) + ", and has no unit",
                   "say which: unit = \"…\", or take another letter");
@@ -257,6 +299,10 @@ void check_name(const TomlEntry& entry, const Symbol& symbol, const FrontMatter&
     const bool is_angle = last == Operation::acos || last == Operation::atan2;
     const bool is_ratio = expression->order() == 0 && (word == nullptr || !word->constant()) &&
                           !why_not_in(*expression, "rad").empty();
+    const bool is_letter_of_angle =
+        letter != U'\0' && is_alone && std::u32string_view(U"θϑ").find(letter) != std::u32string_view::npos;
+    if (is_letter_of_angle && is_ratio)
+      return refuse("is no angle, and is printed as one", "take another letter, such as u");
     if ((said == SaidOfAngle::cosine && is_angle) || (said == SaidOfAngle::angle && is_ratio))
       return refuse((is_angle ? "is an angle, and is said as " : "is no angle, and is said as ") +
                         in_quotes(symbol.say),

@@ -7,6 +7,7 @@
 #include "lessons/claims/proof/small_states.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,59 @@ bool have_same_units(const Expression& left, const Expression& right, SourcePlac
   report.error(place, "units disagree: the left side is in " + to_string(*a.dimension) +
                           ", the right side in " + to_string(*b.dimension));
   return false;
+}
+
+/// What numbers and constants of the lesson alone come to; nothing where another quantity is among them.
+std::optional<double> value_of_constants(const Expression& expression) {
+  std::vector<double> values;
+  for (const ExpressionNode& node : expression.nodes) {
+    const double a = node.a >= 0 ? values[static_cast<std::size_t>(node.a)] : 0,
+                 b = node.b >= 0 ? values[static_cast<std::size_t>(node.b)] : 0;
+    switch (node.operation) {
+      case Operation::number:
+      case Operation::constant:
+        values.push_back(node.number.value);
+        break;
+      case Operation::negate:
+        values.push_back(-a);
+        break;
+      case Operation::add:
+        values.push_back(a + b);
+        break;
+      case Operation::subtract:
+        values.push_back(a - b);
+        break;
+      case Operation::multiply:
+        values.push_back(a * b);
+        break;
+      case Operation::divide:
+        values.push_back(a / b);
+        break;
+      case Operation::power:
+        values.push_back(std::pow(a, node.integer));
+        break;
+      default:
+        return std::nullopt;
+    }
+  }
+  return values.back();
+}
+
+bool is_so_of_constants(const Bound& bound) {
+  const auto left = value_of_constants(bound.sides.left), right = value_of_constants(bound.sides.right);
+  if (!left || !right) return true;
+  switch (bound.relation) {
+    case Relation::less:
+      return *left < *right;
+    case Relation::less_or_equal:
+      return *left <= *right;
+    case Relation::greater:
+      return *left > *right;
+    case Relation::greater_or_equal:
+      return *left >= *right;
+    default:
+      return true;
+  }
 }
 
 /// "I3 > I1", of which `at` is the sign; reports what it is not.
@@ -54,6 +108,11 @@ std::optional<Bound> read_bound(const std::string& text, std::size_t at, SourceP
     return std::nullopt;
   }
   if (!have_same_units(bound.sides.left, bound.sides.right, place, dimensions, report)) return std::nullopt;
+  if (!is_so_of_constants(bound)) {
+    report.error(place, "this is not so of the constants as the lesson gives them",
+                 "assume what their values are like");
+    return std::nullopt;
+  }
   bound.tex = tex_of(bound, &vocabulary);
   return bound;
 }

@@ -212,5 +212,25 @@ TEST(FalseCaptions, OfOnePictureOrOfSeveral) {
     expect_accepted("Text.\n", "", keys);
 }
 
+// 2026-11-27: a number had an arrow, a vector none, and the x-component of L the index z.
+TEST(FalseNames, OfVectorsAndTheirComponents) {
+  for (const char* definition :
+       {R"x(means = "T", tex = '\vec n', unit = "J")x", R"x(means = "2*L", tex = 'b', unit = "kg m²/s")x",
+        R"x(means = "dot(L, ex)", tex = 'L_z', unit = "kg m²/s")x",
+        R"x(means = "dot(ez, e3)", tex = '\theta', unit = "1")x",
+        R"x(means = "dot(omega, ey)", tex = '\omega_x', unit = "rad/s")x"})
+    expect_refused("Text.\n", "[define]\na = { say = \"it\", " + std::string(definition) + " }\n");
+  for (const char* definition : {R"x(means = "2*L", tex = '\vec b', unit = "kg m²/s")x",
+                                 R"x(means = "dot(L, ez)", tex = 'L_z', unit = "kg m²/s")x"})
+    expect_accepted("Text.\n", "[define]\na = { say = \"it\", " + std::string(definition) + " }\n");
+}
+
+// 2026-11-27: "c > 0" was assumed of a c that the lesson gives as -2.
+TEST(FalseNames, OfAssumptionsAgainstConstants) {
+  const std::string constant = "[constants]\nc = { value = -2, tex = 'c_0' }\n[assume]\n";
+  expect_refused("Text.\n", constant + "pos = \"c > 0\"\n");
+  expect_accepted("Text.\n", constant + "neg = \"c < 0\"\n");
+}
+
 }  // namespace
 }  // namespace polhode

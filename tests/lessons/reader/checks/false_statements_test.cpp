@@ -572,7 +572,7 @@ TEST(Symbols, AreSaidAsWhatTheyAre) {
       {R"x(theta = { means = "acos(dot(ez, e3))", tex = '\theta', say = "tilt", unit = "rad" })x",
        R"x(u = { means = "dot(ez, e3)", tex = 'u', say = "cosine of the tilt" })x",
        R"x(pphi = { means = "dot(L, ez)", tex = 'p_\varphi', say = "vertical component of the angular momentum" })x",
-       R"x(tip = { means = "ddt(L)", tex = 'r', say = "the velocity of the tip of L" })x"})
+       R"x(tip = { means = "ddt(L)", tex = '\vec r', say = "the velocity of the tip of L" })x"})
     EXPECT_THAT(with(symbol, "define"), IsEmpty()) << symbol;
 }
 
@@ -589,6 +589,83 @@ TEST(ClaimsBesideFormulas, BesideAFormulaSayItsRelation) {
                 math("", R"(\bar{\bar\zeta} = T + \omega_1)") + claim,
                 math("", R"(2T = \omega_1 = \bar{\bar\zeta})") + claim});
   expect_true({math("", R"(2T = \langle\vec\omega, \vec L\rangle)") + claim});
+}
+
+// 2026-11-27: "(t)" made a formula unreadable, and T(t) = 7 w(t).L(t) stood above a true claim.
+TEST(FunctionsOfTime, AreReadAsWhatTheyAre) {
+  const std::string claim = "```claim a identity\n2*T = dot(omega, L)\n```\n";
+  expect_false({math("", R"(T(t) = 7\,\vec\omega(t)\cdot\vec L(t))") + claim,
+                math("", R"(\frac{dT(t)}{dt} = 7)"), R"(So $\omega_1(t) = 5\,\omega_2(t)$.)",
+                R"(So $7T(t) = \vec\omega(t)\cdot\vec L(t)$.)", R"(So $dT(t)/dt = 7\,\text{W}$.)",
+                R"(So $\omega_1(t)^2 = 5\,\omega_2^2(t)$.)",
+                math("identity", R"(\frac{dT}{dt}(2) = 2\frac{dT}{dt})"),
+                math("identity", R"(\frac{dT}{dt}(0) = 0)"), math("identity", R"(T(0) = T)")});
+  expect_true({math("identity", R"(2T(t) = \vec\omega(t)\cdot\vec L(t))"),
+               math("identity", R"(\omega_1(t)^2 = \omega_1^2(t))"),
+               math("motion", R"(\frac{d\vec L(t)}{dt} = \vec N(t))"),
+               R"(So $2T(t) = \vec\omega\cdot\vec L(t)$.)"});
+}
+
+// 2026-11-27: of a formula that is not read neither the numbers nor a commuted claim were looked at.
+TEST(ClaimsBesideFormulas, HaveTheNumbersThatArePrintedAndSaySomething) {
+  const std::string formula = R"(T = \tfrac13\langle\vec\omega, \vec L\rangle)";
+  expect_false({math("", formula) + "```claim a identity\nT = dot(omega, L)/2\n```\n",
+                math("", R"(\vec\omega(t) = \vec\omega(0))") +
+                    "```claim a free\ndot(omega, ddt(omega)) = dot(ddt(omega), omega)\n```\n",
+                math("", R"(\langle\vec\omega, \vec L\rangle = 0)") +
+                    "```claim a identity\ndot(omega, L) - dot(L, omega) = 0\n```\n"});
+  expect_true({math("", R"(T = \tfrac12\langle\vec\omega, \vec L\rangle)") +
+                   "```claim a identity\nT = 0.5*dot(omega, L)\n```\n",
+               math("", R"(\langle\vec\omega, \vec L\rangle = 0)") +
+                   "```claim a identity\ndot(omega, cross(omega, L)) = dot(L, cross(omega, omega))\n```\n"});
+}
+
+// 2026-11-27: one thing that was not read muted all of a formula in the text.
+TEST(Statements, AreSeenThroughWhatOnlyDecorates) {
+  expect_false({"So $T = 2T_{}$.", R"(So $\boxed{T} = 3T$.)", R"(So $\textcolor{red}{T} = 50\,\text{J}$.)",
+                R"(So $T = 4T\,!$.)", R"(So $T \overset{!}{=} 5T$.)", R"(So $T\!\!\! = 6T$.)",
+                R"(So $\scriptstyle T = 7T$.)", R"(So $\left.T\right. = 8T$.)", R"(So $T \doteq 9T$.)",
+                math("", R"(\textcolor{red}{T} = 50\,\text{J})")});
+  expect_true({R"(So $\boxed{2T} = \vec\omega\cdot\vec L\,!$)", R"(So $T \overset{!}{=} T$.)"});
+}
+
+// 2026-11-27: "2T/T = 2" with a tick, and ".5" behind it.
+TEST(ProvedParts, EndBeforeNoDigit) {
+  const std::string part = R"(\proved{\frac{2T}{T} = 2})";
+  expect_false({math("identity", part + ".5"), math("identity", part + "{,}5"), math("identity", part + ",5"),
+                math("identity", part + R"(.\,5)"), math("identity", part + R"(.{5})"),
+                math("identity", R"(3\quad)" + part)});
+  expect_true({math("identity", part + "."), math("identity", part + R"(,\quad \zeta = 5)"),
+               math("identity", R"(\zeta = 5,\quad )" + part)});
+}
+
+// 2026-11-27: I_1 = I_1 was measured, an identity was a law, and what defines nothing a definition.
+TEST(KindsOfClaims, AreWhatTheySay) {
+  expect_false({math("measured", "I_1 = I_1"), math("measured", R"(2T = \vec\omega\cdot\vec L)"),
+                math("law", R"(2T = \vec\omega\cdot\vec L)"),
+                math("definition", R"(\vec\omega\cdot(\vec\omega\times\vec L) = 0)")});
+  expect_true({math("measured", R"(\frac{dT}{dt} = 0)"), math("law", R"(\frac{d\vec L}{dt} = \vec N)"),
+               math("definition", R"(\vec L = \mathbf I\cdot\vec\omega)")});
+}
+
+// 2026-11-27: a tag said "if no torque acts", and "1e1" stood for 7.93.
+TEST(Displays, HaveTagsAndNumbersThatSayNothingElse) {
+  expect_false(
+      {math("identity", R"(2T = \vec\omega\cdot\vec L \tag{if no torque acts})"),
+       math("", R"(2T = \vec\omega\cdot\vec L \tag{always})"),
+       math("identity", R"(2.6T = 1.3\,\vec\omega\cdot\vec L = \value[unit={J}]{3\cdot10^{1}}{2.6*T})")});
+  for (const char* tag : {"3", "3a", "3'", "A", "3.2"})
+    expect_true({math("identity", R"(2T = \vec\omega\cdot\vec L \tag{)" + std::string(tag) + "}")});
+}
+
+// 2026-11-27: words at braces and on arrows stated what nobody proved.
+TEST(WordsInFormulas, NameWhatStandsThere) {
+  expect_false({math("identity", R"(\underbrace{\vec\omega\cdot\vec L}_{\text{kinetic energy}} = 2T)"),
+                math("", R"(\underbrace{\vec\omega\cdot\vec L}_{\text{kinetic energy}} = 2T)"),
+                math("identity", R"(2T = \overbrace{\vec\omega\cdot\vec L}^{\text{only for a sphere}})"),
+                math("identity", R"(2T = \underbrace{\vec\omega\cdot\vec L}_{\text{from axis III}})"),
+                math("motion", R"(\frac{d\vec L}{dt} = 0 \xRightarrow{\text{and conversely}} \vec N = 0)")});
+  expect_true({math("identity", R"(2\,\underbrace{T}_{\text{kinetic energy}} = \vec\omega\cdot\vec L)")});
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST(FrontMatter, ReportsImpossibleMomentsWithTheReasonOfPhysics) {
 TEST(FrontMatter, WhatSymbolsSayIsOnePlainLine) {  // 2026-11-22: an ESC of TOML went into transcripts
   for (const char* bad :
        {"say = \"\\u001b[31mred\"", "unit = \"a\\nb\"", "say = \"\\u202elive\"", "unit = \"\\u009bm\""}) {
-    TextReport at(kHead + std::string("[symbols]\nL = { tex = 'L', ") + bad + " }\n+++\n");
+    TextReport at(kHead + std::string("[symbols]\nL = { tex = '\\vec L', ") + bad + " }\n+++\n");
     const FrontMatter front = read_front_matter(at.texts);
     EXPECT_THAT(at.lines(), ElementsAre(::testing::AllOf(
                                 ::testing::StartsWith("6:"),
