@@ -36,6 +36,12 @@ inline bool is_digit(const TexItem& item) {
          (is_common(*item.node) || item.node->alphabet == Alphabet::upright);
 }
 
+/// The same in any alphabet: of a bold 0 a reader sees a digit first.
+inline bool has_digit(const TexItem& item) {
+  return item.kind == TexItem::Kind::operand && item.node != nullptr &&
+         item.node->kind == MathNode::Kind::symbol && is_digit(item.node->character);
+}
+
 inline bool is_bold(const MathNode& node) {
   return node.alphabet == Alphabet::bold || node.alphabet == Alphabet::bold_italic;
 }

@@ -60,6 +60,7 @@ class EquationReader {
     if (above != nullptr && above->root && !items_.empty() &&
         (items_.front().is(ItemKind::relation, U'=') || items_.front().is(ItemKind::relation, U'≈'))) {
       if (has_proved_part(*above->root)) throw_above("of that formula only a part is read");
+      if (hidden_part(*above->root) != nullptr) throw_above("a part of it may not be seen");
       go_on_with(formula_items(*above->root, kMaxEquationNesting), !above->live.empty());
       above_root_ = above->root.get();
     }
@@ -104,6 +105,7 @@ class EquationReader {
   void go_on_with(TexItems above, bool has_numbers) {
     while (!above.empty() && (above.back().kind == ItemKind::gap || above.back().kind == ItemKind::comma))
       above.pop_back();
+    if (has_several_equations(above)) throw_above("it is more than one equation");
     std::size_t begin = above.size();
     while (begin > 0 && above[begin - 1].kind != ItemKind::relation) --begin;
     above.erase(above.begin(), above.begin() + static_cast<std::ptrdiff_t>(begin));
@@ -160,6 +162,14 @@ class EquationReader {
     return items;
   }
 
+  /// Of "i = 1, 2, 3".
+  static bool is_of_range(Items items, std::size_t comma) {
+    if (comma < 3 || !items[comma - 2].is(ItemKind::relation, U'=')) return false;
+    constexpr std::u32string_view kLetters = U"ijkl";
+    return std::any_of(kLetters.begin(), kLetters.end(),
+                       [&](char32_t letter) { return is_symbol(items[comma - 3], letter); });
+  }
+
   std::vector<Sentence> split(Items items) {
     std::vector<Sentence> sentences;
     Joint joint = Joint::none;
@@ -182,8 +192,10 @@ class EquationReader {
       const bool colon = item.is(ItemKind::relation, U':');
       if (item.kind == ItemKind::comma && i > begin && i + 1 < items.size() && is_digit_item(items[i - 1]) &&
           is_digit_item(items[i + 1]))
-        throw TexFault(item.span, "a number has a point",
-                       "write 0.5; equations are parted by a comma and \\quad");
+        throw is_of_range(items, i) ? TexFault(item.span, "what an index runs over stands in brackets",
+                                               "write \\quad (i = 1, 2, 3) behind the equation")
+                                    : TexFault(item.span, "a number has a point",
+                                               "write 0.5; equations are parted by a comma and \\quad");
       if (item.kind != ItemKind::comma && item.kind != ItemKind::line && !is_and && !does_not_follow &&
           !colon && !is_implication(item))
         continue;
@@ -500,6 +512,7 @@ Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const E
                                                        const Math* above) {
   try {
     if (!math.root) return Failure<UnreadableEquation>{{{}, "there is no formula here", ""}};
+    check_is_seen(*math.root);
     return EquationReader(math, notation, above).read();
   } catch (const TexKindFault& fault) {
     return Failure<UnreadableEquation>{{fault.place, fault.what(), fault.hint, true}};

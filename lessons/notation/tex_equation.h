@@ -49,21 +49,26 @@
 //
 // Refused, because the page leaves it open: a x b x c, a·b·c, I·a x b, two vectors without a sign, a/b c,
 // a/b/c, d/dt (a) b, d/dt a·b, \dot of other vectors, T(0) and \omega_1(t) (factor or argument?), 2\frac12,
-// digits in groups, an index that no \sum and no condition binds, unless it is the only one and both sides of
-// each relation have it: L_i = I_i\omega_i is said of each axis (no silent sums), two signs in a row, \pm,
-// other relations, third derivatives, other functions and roots, primes and
-// unknown names, letters of other alphabets, other words.
+// \cos\theta/2, 2\mathbf 0, \frac{a}{b}^2, digits in groups, an index that no \sum and no condition binds,
+// unless it is the only one and both sides of each relation have it: L_i = I_i\omega_i is said of each axis
+// (no silent sums), two signs in a row, \pm, other relations, third derivatives, other functions and roots,
+// primes and unknown names, letters of other alphabets, other words.
 //
 // Where parts are marked by \proved{…} these alone are read, each as a formula of its own; nothing but
 // commas, wide spaces and new lines joins them to the rest (tex_proved_parts.cpp).
 //
-// Looked through: \term, a \boxed around all, spaces below \quad, alignment, tags, a full stop at the end.
-// Braces of TeX group nothing, for nobody sees them. \underbrace holds its contents together; its label,
-// unless it is text, is one more equality: contents = label. What is struck out by \cancel states two
-// equalities: the one with it, and the one without it, where a struck term is 0 and a struck factor 1.
+// Refused wherever it stands, because it hides or moves something: colours, phantoms with a width, spaces and
+// lines that go back, rules between lines.
+//
+// Looked through: \term, a \boxed around all, spaces that together stay below \quad, alignment, tags, a full
+// stop at the end. Braces of TeX group nothing, for nobody sees them. \underbrace holds its contents
+// together; its label, unless it is text, is one more equality: contents = label. What is struck out by
+// \cancel states two equalities: the one with it, and the one without it, where a struck term is 0 and a
+// struck factor 1.
 //
 // Aligned lines: one that begins with a relation goes on with the chain, one that begins with + or − with the
-// side above if only one of the two lines has a "="; others are sentences of their own.
+// side above if only one of the two lines has a "="; others are sentences of their own. Above a line that
+// goes on there is one equation: of two, or of one behind a comma, the page leaves open which.
 //
 // "d|a|/dt = 0" is read as d(a·a)/dt = 0, the same wherever |a| has a rate: proofs have no roots. The rate of
 // a tensor is that of its columns: (dI/dt) e = d(I·e)/dt − I·de/dt.

@@ -55,12 +55,17 @@ bool is_empty(const MathNode& label) {
 
 constexpr double kScriptStyle = 2;
 
-/// Lines that are printed over one another are not read.
-void check_skips(const MathNode& grid) {
+/// Lines that are printed over one another are not read, nor rules, which look like bars of fractions and of
+/// determinants.
+void check_grid(const MathNode& grid) {
   constexpr double kTouching = -0.3;  // em: below, lines of letters with indices meet
   for (const double skip : grid.grid->skips)
     if (skip < kTouching)
       throw TexFault(grid.span, "a line that goes back may be printed over another", "leave \\\\[…] out");
+  if (!grid.grid->rows_with_line.empty() || !grid.grid->columns_with_line.empty())
+    throw TexFault(grid.span,
+                   "a rule between lines or columns looks like the bar of a fraction, or a bracket",
+                   "leave \\hline and | out");
 }
 
 /// The row without brackets matched: what only decorates is gone.
@@ -84,7 +89,11 @@ class Flattening {
   void add(const MathNode& node, bool struck) {
     switch (node.kind) {
       case Kind::nothing:
+        return;
       case Kind::phantom:
+        for (const MathNode& child : node.children)
+          if (hidden_part(child) != nullptr)
+            throw TexFault(node.span, "what is not printed here may print one thing over another");
         return;
       case Kind::style:
         if (node.amount >= kScriptStyle)
@@ -114,7 +123,7 @@ class Flattening {
         gone_on_ += node.amount;
         if (node.amount < kThin || gone_on_ < kThin)
           throw TexFault(node.span, "a space that goes back may print one thing over another");
-        if (node.amount < kQuad) return;
+        if (gone_on_ < kQuad) return;
         Item gap;
         gap.kind = Item::Kind::gap;
         gap.node = &node;
@@ -152,7 +161,7 @@ class Flattening {
         return push(std::move(item));
       }
       case Kind::grid:
-        check_skips(node);
+        check_grid(node);
         [[fallthrough]];
       default:
         return push_operand(node, node, struck);
@@ -173,8 +182,7 @@ class Flattening {
   /// The one atom that scripts stand at, through what only decorates.
   static const MathNode& nucleus_of(const MathNode& node) {
     const MathNode* inner = &node;
-    while ((inner->kind == Kind::row || inner->kind == Kind::alphabet || inner->kind == Kind::term ||
-            inner->kind == Kind::color) &&
+    while ((inner->kind == Kind::row || inner->kind == Kind::alphabet || inner->kind == Kind::term) &&
            inner->children.size() == 1 && !index_of_live(*inner))
       inner = &inner->children.front();
     return *inner;
@@ -226,6 +234,18 @@ class Flattening {
   double gone_on_ = 0;  ///< the space since the last thing, em
 };
 
+bool is_decoration(const Item& item) { return item.kind == Item::Kind::gap; }
+
+void drop_gaps_in_front(TexItems& items) {
+  items.erase(items.begin(), std::find_if_not(items.begin(), items.end(), is_decoration));
+}
+
+/// Of what a brace holds: space there makes the brace wider.
+void drop_gaps_at_ends(TexItems& items) {
+  drop_gaps_in_front(items);
+  while (!items.empty() && is_decoration(items.back())) items.pop_back();
+}
+
 /// Matches brackets, by a stack of its own.
 class Brackets {
  public:
@@ -254,6 +274,7 @@ class Brackets {
     if (item.node->kind == Kind::fenced) return take_fenced(std::move(item));
     if (item.kind == Item::Kind::group) {
       item.inside = items_of(item.node->children.front(), depth_ - 1);
+      drop_gaps_at_ends(item.inside);
       return open_.back().items.push_back(std::move(item));
     }
     if (!is_bracket(item)) return open_.back().items.push_back(std::move(item));
@@ -262,7 +283,8 @@ class Brackets {
     if (may_close && (c != U'|' || after_operand())) return close(item);
     if (closing_of(c) == 0) throw TexFault(item.span, "this bracket is not read, or closes nothing");
     if (item.sub != nullptr || item.sup != nullptr)
-      throw TexFault(item.span, "an index or power at an opening bracket is not read");
+      throw TexFault(item.span, "an index or power at an opening bracket is not read",
+                     c == U'|' ? std::string(kRatesOfFrames) : "");
     if (static_cast<int>(open_.size()) > depth_) throw TexFault(item.span, "brackets are nested too deep");
     open_.push_back({std::move(item), {}});
   }
@@ -302,22 +324,18 @@ bool has_relation(const TexItems& items) {
                      [](const Item& i) { return i.kind == Item::Kind::relation; });
 }
 
-bool is_decoration(const Item& item) { return item.kind == Item::Kind::gap; }
-
-void drop_gaps_in_front(TexItems& items) {
-  items.erase(items.begin(), std::find_if_not(items.begin(), items.end(), is_decoration));
-}
-
 void append(TexItems& to, TexItems from) { std::move(from.begin(), from.end(), std::back_inserter(to)); }
 
 /// The lines of an alignment, joined where one goes on with the one above.
 TexItems lines_of(const MathNode& grid, int depth) {
-  check_skips(grid);
-  TexItems all, last;  // `last`: since the last sentence ended
+  check_grid(grid);
+  TexItems all, last;                                     // `last`: since the last sentence ended
+  bool above_is_open = false, last_cell_is_open = false;  // of the line above: which equation goes on?
   const auto columns = static_cast<std::size_t>(std::max(grid.grid->columns, 1));
   for (std::size_t at = 0; at < grid.children.size(); at += columns) {
     TexItems line;
-    bool first_is_empty = true;
+    bool first_is_empty = true, is_wide = false;
+    std::size_t last_cell = 0;
     for (std::size_t c = 0; c < columns && at + c < grid.children.size(); ++c) {
       TexItems cell = items_of(grid.children[at + c], depth - 1);
       drop_gaps_in_front(cell);
@@ -330,6 +348,9 @@ TexItems lines_of(const MathNode& grid, int depth) {
         end.span = cell.front().span;
         line.push_back(std::move(end));
       }
+      if (cell.empty()) continue;
+      is_wide = is_wide || c >= 2;
+      last_cell = line.size();
       append(line, std::move(cell));
     }
     if (line.empty()) continue;
@@ -347,6 +368,12 @@ TexItems lines_of(const MathNode& grid, int depth) {
       last.push_back(std::move(end));
       append(all, std::exchange(last, {}));
     }
+    // An = behind the & stands below that of the line above.
+    if (!last.empty() && (columns > 1 && first_is_empty ? last_cell_is_open : above_is_open))
+      throw TexFault(first.span, "which equation of the line above does this go on with?",
+                     "write its left side again");
+    above_is_open = is_wide || has_several_equations(line);
+    last_cell_is_open = is_wide || has_several_equations(std::span(line).subspan(last_cell));
     append(last, std::move(line));
   }
   append(all, std::move(last));
@@ -354,6 +381,40 @@ TexItems lines_of(const MathNode& grid, int depth) {
 }
 
 }  // namespace
+
+const MathNode* hidden_part(const MathNode& node) {
+  constexpr double kThin = -0.17;  // em, of \!
+  const bool has_width = node.kind == Kind::phantom && static_cast<int>(node.amount) % 2 == 1;
+  const bool goes_back = node.kind == Kind::space && node.amount < kThin;
+  if (node.kind == Kind::color || has_width || goes_back) return &node;
+  for (const MathNode& child : node.children)
+    if (const MathNode* found = hidden_part(child)) return found;
+  return nullptr;
+}
+
+void check_is_seen(const MathNode& root) {
+  const MathNode* hidden = hidden_part(root);
+  if (hidden == nullptr) return;
+  if (hidden->kind == Kind::color)
+    throw TexFault(hidden->span, "a colour may hide what is proved", "mark the part with \\term{id}{…}");
+  if (hidden->kind == Kind::phantom)
+    throw TexFault(hidden->span, "the room of what is not printed may move one thing over another, or apart",
+                   "leave spaces to TeX; \\quad stands between equations");
+  throw TexFault(hidden->span, "a space that goes back may print one thing over another");
+}
+
+bool has_several_equations(std::span<const Item> items) {
+  const auto stands_in_front = [](const Item& item) {
+    return item.kind == Item::Kind::text || item.kind == Item::Kind::gap;
+  };
+  return std::any_of(std::find_if_not(items.begin(), items.end(), stands_in_front), items.end(),
+                     [](const Item& item) {
+                       return item.kind == Item::Kind::comma || item.kind == Item::Kind::gap ||
+                              item.kind == Item::Kind::text || item.kind == Item::Kind::line ||
+                              item.is(Item::Kind::relation, U':') || item.is(Item::Kind::relation, U'⇒') ||
+                              item.is(Item::Kind::relation, U'⟹');
+                     });
+}
 
 bool states_something(const MathNode& words) {
   static const std::set<std::string, std::less<>> kStating = {

@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace polhode {
@@ -25,6 +26,10 @@ struct TexFault : std::runtime_error {
 struct TexKindFault : TexFault {
   using TexFault::TexFault;
 };
+
+/// What to write instead of (d𝐋/dt)_S.
+inline constexpr std::string_view kRatesOfFrames =
+    "\\frac{d\\vec L}{dt} is the rate as seen from space, \\frac{d^*\\vec L}{dt} that as seen from the body";
 
 struct TexItem {
   enum class Kind {
@@ -51,8 +56,17 @@ struct TexItem {
 };
 using TexItems = std::vector<TexItem>;
 
+/// What hides a part of a formula, or takes it from its place: a colour, a space that goes back, the room of
+/// something that is not printed. Null if nothing does.
+const MathNode* hidden_part(const MathNode& node);
+/// Throws TexFault at one.
+void check_is_seen(const MathNode& root);
+
 /// What stands in a row, brackets matched; nested at most `depth` deep. Throws TexFault.
 TexItems items_of(const MathNode& node, int depth);
+
+/// Whether it is more than one equation, so that what goes on may go on with either. Words in front are not.
+bool has_several_equations(std::span<const TexItem> items);
 
 /// The lines of the formula one behind the other, with a `line` between sentences (tex_equation.h).
 TexItems whole_formula(const MathNode& root, int depth);

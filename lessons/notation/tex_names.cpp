@@ -147,7 +147,8 @@ TexValue TexTerms::base_of(const TexItem& item, bool& took_sub, bool& took_sup) 
     case Kind::grid:
       if (node.grid->left == U'|' && node.grid->right == U'|') return determinant(item);
       if (node.grid->left == U'(' || node.grid->left == U'[') return matrix(item);
-      throw TexFault(item.span, "this array is not read");
+      throw TexFault(item.span, "this array is not read",
+                     "a determinant is \\begin{vmatrix}, a tensor \\begin{pmatrix}");
     case Kind::radical: {
       if (node.children.size() > 1 && !node.children[1].absent())
         throw TexFault(item.span, "only square roots are read", "write powers, or square both sides");

@@ -183,8 +183,7 @@ TexValue TexTerms::function(Items items, std::size_t& at) {
   const auto begins_function = [](const TexItem& item) {
     return item.kind == ItemKind::operand && item.node != nullptr && item.node->kind == Kind::text;
   };
-  if (is_sized ||
-      (!is_group && at < items.size() && items[at].kind != ItemKind::times && !begins_function(items[at])))
+  if (is_sized || (!is_group && at < items.size() && !begins_function(items[at])))
     throw TexFault(joined_span(word.span, of.span), "how far does the argument of this function go?",
                    "write brackets around it, or put the function last");
   if (of.value.is_vector() || of.value.is_tensor()) throw TexFault(of.span, "functions are taken of numbers");

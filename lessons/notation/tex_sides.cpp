@@ -21,6 +21,7 @@ Result<Expression, UnreadableEquation> read_one_side(const Math& math, const Equ
   if (!math.root) return Failure<UnreadableEquation>{{{}, "there is no formula here", ""}};
   if (!math.live.empty()) return Failure<UnreadableEquation>{{{}, "a computed number stands in it", ""}};
   try {
+    check_is_seen(*math.root);
     TexTerms terms(math, notation);
     terms.has_pi = true;
     terms.any_inertia = has_tensor_component(*math.root);

@@ -64,7 +64,7 @@ bool is_noun_phrase(const std::string& words) {
 
 const MathNode& plain_node(const MathNode& node) {
   const MathNode* inner = &node;
-  while ((inner->kind == Kind::row || inner->kind == Kind::alphabet || inner->kind == Kind::color ||
+  while ((inner->kind == Kind::row || inner->kind == Kind::alphabet ||
           (inner->kind == Kind::term && !index_of_live(*inner))) &&
          inner->children.size() == 1)
     inner = &inner->children.front();
@@ -192,6 +192,9 @@ TexValue TexTerms::run(Items items, std::size_t& at) {
     const TexItem& first = items[at];
     if (items.size() > 1 && is_braced_sum(first))
       throw TexFault(first.span, "does the brace hold this sum together?", "write brackets below it");
+    if (at > begin && has_digit(items[at - 1]) && has_digit(first))
+      throw TexFault(first.span, "digits side by side look like one number",
+                     "write \\cdot between them; zero of vectors is \\vec 0");
     const Factor next = factor(items, at);
     if (whole && next.number)
       throw TexFault(next.span, "a number stands behind a factor", "put numbers first, or write \\cdot");
@@ -325,6 +328,8 @@ TexTerms::Factor TexTerms::timeless_factor(Items items, std::size_t& at) {
   made.span = item.span;
   if (item.kind == ItemKind::text)
     throw TexFault(item.span, "words in a formula are not read", "write them into the text, or keep a claim");
+  if (item.kind == ItemKind::gap && at + 1 < items.size() && items[at + 1].kind == ItemKind::text)
+    throw TexFault(items[at + 1].span, "words behind a wide space are not read", "write them into the text");
   if (item.kind == ItemKind::gap)
     throw TexFault(item.span, "a wide space stands inside of a formula", "separate equations by a comma");
   if (item.kind != ItemKind::operand && item.kind != ItemKind::group)
@@ -362,6 +367,9 @@ TexTerms::Factor TexTerms::timeless_factor(Items items, std::size_t& at) {
     return made;
   }
   if (item.kind == ItemKind::operand && node->kind == Kind::fraction) {
+    if (!is_plain(item))
+      throw TexFault(item.span, "is the fraction raised, or what stands above or below?",
+                     "write brackets around what is raised");
     if (auto rate = rate_by_fraction(items, at)) {
       made.value = std::move(*rate);
       made.span = joined_span(item.span, items[at - 1].span);
@@ -385,6 +393,9 @@ TexTerms::Factor TexTerms::timeless_factor(Items items, std::size_t& at) {
       tensor.kind = TexTensor::Kind::cross;
       tensor.value = base;
       base = tensor_value(std::move(tensor), item.span);
+    } else if (is_symbol(&sub, U'S')) {
+      throw TexFault(item.sub->span, "the frame that a rate is seen from is not read from an index",
+                     std::string(kRatesOfFrames));
     } else {
       base = component_of(base, axis_in(item), item.span);
     }
@@ -493,7 +504,12 @@ TexValue TexTerms::raised_by(TexValue base, const TexItem& item, bool took_sub, 
   const TexItems sup = items_of(*item.sup, kMaxEquationNesting);
   std::string digits;
   bool negative = false;
+  if (sup.size() == 1 && (is_symbol(sup[0], U'T') || is_symbol(sup[0], U'⊤')))
+    throw TexFault(item.sup->span, "a transpose is not read",
+                   "\\vec a\\cdot\\vec b is the product of a row and a column");
   for (std::size_t i = 0; i < sup.size(); ++i) {
+    if (i > 0 && sup[i].span.begin > sup[i - 1].span.end && !digits.empty())
+      throw TexFault(item.sup->span, "is this power one number?", "write its digits without spaces");
     if (i == 0 && sup[i].is(ItemKind::sign, U'−')) {
       negative = true;
     } else if (is_digit(sup[i]) && is_plain(sup[i])) {

@@ -7,6 +7,7 @@
 #include "lessons/claims/proof/small_states.h"
 #include "lessons/derivation/decided.h"
 #include "lessons/diagnostics/report.h"
+#include "lessons/notation/tex_items.h"
 #include "lessons/notation/tex_sides.h"
 #include "lessons/reader/checks/formula_signs.h"
 #include "lessons/reader/checks/lint_budget.h"
@@ -499,8 +500,9 @@ class ClaimCheck {
     const auto read = read_equation((*named)->math, lesson_.notation, above);
     if (read)
       compare(claim, *read);
-    else if (hides_something(*(*named)->math.root))
-      report_.warning(claim.place, "a colour, or a space that goes back, may hide a part of this formula",
+    else if (hidden_part(*(*named)->math.root) != nullptr)
+      report_.warning(claim.place,
+                      "a colour, a phantom or a space that goes back may hide a part of this formula",
                       "mark parts with \\term{id}{…}, and leave spaces to TeX");
     else if (says_no_equality(*(*named)->math.root))
       report_.warning(claim.place, "the formula has a sign that no claim stands for",

@@ -11,13 +11,6 @@
 
 namespace polhode {
 
-bool hides_something(const MathNode& node) {
-  constexpr double kThin = -0.17;  // em, of \!
-  if (node.kind == MathNode::Kind::color) return true;
-  if (node.kind == MathNode::Kind::space && node.amount < kThin) return true;
-  return std::any_of(node.children.begin(), node.children.end(), hides_something);
-}
-
 bool says_no_equality(const MathNode& node) {
   if (node.kind == MathNode::Kind::cancel && node.character == U'n') return true;
   const bool is_relation = node.kind == MathNode::Kind::symbol && node.atom == MathClass::relation;

@@ -10,8 +10,6 @@
 
 namespace polhode {
 
-/// What a verdict stands below is to be seen as it is written: no colours, no spaces that go back.
-bool hides_something(const MathNode& node);
 /// Whether it has ≠, ≡, → or another relation of which nothing is proved.
 bool says_no_equality(const MathNode& node);
 /// Functions and signs that no claim has: sinh, ∫, ⊕.
