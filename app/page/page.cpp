@@ -213,7 +213,9 @@ std::size_t meter_rows(const SceneModel& model, bool is_slide) {
 Room room_of(const PageRequest& request) {
   return {static_cast<double>(request.size.width),
           static_cast<double>(request.size.height),
-          request.model && !are_plots_alone(*request.model) ? meter_rows(*request.model, is_wide_slide(request)) : 0,
+          request.model && !are_plots_alone(*request.model)
+              ? meter_rows(*request.model, is_wide_slide(request))
+              : 0,
           request.text_scale,
           request.model && shows_space(request.model->drawn, request.model->needs.marks),
           request.scrolls ? kLeastEm : 0.0,

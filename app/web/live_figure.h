@@ -35,8 +35,8 @@ class LiveFigure {
   /// BudgetSpent.
   void begin_call();
 
-  /// A text with errors is refused with the first of them; of a lesson that is read when its page is written, those
-  /// of its front matter now, and those of a stage when it is shown: until then a stage is not read.
+  /// A text with errors is refused with the first of them; of a lesson that is read when its page is written,
+  /// those of its front matter now, and those of a stage when it is shown: until then a stage is not read.
   Status open_lesson(std::string_view text, std::string_view file_name);
   Status open_scene(std::string_view scene_toml, std::string_view own_body_toml);
   /// From 1.

@@ -107,7 +107,8 @@ int run() {
   for (int i = 0; i < 10; ++i) {
     std::vector<LessonReading> readings;
     read_ms.push_back(1e3 * cpu_s([&] {
-                        for (const std::string& one : texts) readings.push_back(read_lesson(one, "lesson.md"));
+                        for (const std::string& one : texts)
+                          readings.push_back(read_lesson(one, "lesson.md"));
                       }));
     prove_ms.push_back(1e3 * cpu_s([&] {
                          for (LessonReading& one : readings) (void)prove_claims(*one.lesson);
@@ -121,7 +122,9 @@ int run() {
          count + dearest(refute_ms)});
   print({"all claims of the lecture judged, ms", spread_of(lecture_ms), at_most(50.0),
          "points drawn anew, counterexamples found for what is false; " + dearest(lecture_ms)});
-  print({"reading the five lessons, ms", spread_of(read_ms), {},
+  print({"reading the five lessons, ms",
+         spread_of(read_ms),
+         {},
          std::to_string(std::accumulate(texts.begin(), texts.end(), std::size_t(0),
                                         [](std::size_t sum, const auto& one) { return sum + one.size(); }) /
                         1000) +

@@ -19,7 +19,7 @@ constexpr double kLeastWidth = 14.0, kLeastHeight = 7.5;  // of a plot
 constexpr double kTitleGap = 0.6;                         // between title and unit
 constexpr double kMarkGap = 0.45, kNameGap = 0.55, kTick = 0.22, kUnitGap = 0.35;
 constexpr double kLeastMarkRoom = 2.3, kLeastNameRoom = 2.0;  // so that most plots look alike
-constexpr double kMostNameRoom = 0.34;  // of a plot's width
+constexpr double kMostNameRoom = 0.34;                        // of a plot's width
 constexpr double kCapHeight = 0.72;
 constexpr double kNameSpacing = 1.35;
 constexpr double kMarkSpacing = 1.9, kTimeMarkSpacing = 3.2;

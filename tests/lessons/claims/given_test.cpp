@@ -116,7 +116,8 @@ TEST(Given, ACounterexampleIsAStateAsIsGiven) {
   EXPECT_THAT(heavy_one->state, HasSubstr("mgl = 2"));
   EXPECT_THAT(heavy_one->state, HasSubstr("attitude = (1, "));
   // The small whole numbers that are tried make no unit quaternion: printed, they do.
-  EXPECT_THAT(heavy_one->state_tex, ::testing::ContainsRegex(R"(\$\\text\{attitude\}\\ q = \(1, .*\)/(\\sqrt\{)?[0-9]+)"));
+  EXPECT_THAT(heavy_one->state_tex,
+              ::testing::ContainsRegex(R"(\$\\text\{attitude\}\\ q = \(1, .*\)/(\\sqrt\{)?[0-9]+)"));
 }
 
 // A sphere has no axis of its own: nothing that tells one from the others is proved of it, or everything is.
