@@ -4,6 +4,7 @@
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/expressions/expression_names.h"
 #include "lessons/claims/motion_words.h"
+#include "lessons/claims/proof/proof.h"
 #include "lessons/notation/tex_sides.h"
 #include "render/typeset/math/tree.h"
 
@@ -70,6 +71,26 @@ std::optional<Expression> expression_of_symbol(const std::string& name, const Sy
   return read_expression(text, {1, 1}, unused, &front.notation.vocabulary);
 }
 
+/// False where it is known not to be one.
+bool may_be_unit_vector(const std::string& name, const Symbol& symbol, const FrontMatter& front) {
+  const auto expression = expression_of_symbol(name, symbol, front);
+  if (!expression) return true;
+  if (expression->type() != ExpressionType::vector) return false;
+  const std::string& text = symbol.means.empty() ? name : symbol.means;
+  const std::string square = "norm2(" + text + ')', one = "1";
+  const SourceText source(square);
+  Report unused(source, "");
+  const Vocabulary& words = front.notation.vocabulary;
+  auto left = read_expression(square, {1, 1}, unused, &words);
+  auto right = read_expression(one, {1, 1}, unused, &words);
+  if (!left || !right) return true;
+  const Equality equality{std::move(*left), std::move(*right)};
+  const Prover prover;
+  const Verdict verdict = prover.settle(equality, Assumption::motion);
+  return verdict == Verdict::holds ||
+         (verdict == Verdict::undecided && !prover.refute(equality, Assumption::motion));
+}
+
 /// Whether words are the name of an angle, or of its cosine or sine.
 enum class SaidOfAngle { nothing, angle, cosine };
 SaidOfAngle said_of_angle(std::string words) {
@@ -118,19 +139,50 @@ bool is_relation(char32_t character) {
   return std::u32string_view(U"=<>≤≥⩽⩾≈≠≡∼≃≅∝").find(character) != std::u32string_view::npos;
 }
 
-/// ω², which would be read as the square of what ω is; σ² may be a symbol of its own.
+/// ω², which would be read as the square of what ω is, and U⁻¹; σ² may be a symbol of its own.
 bool is_power_of_quantity(const MathNode& scripts) {
-  const MathNode &base = scripts.children[0], &power = scripts.children[2];
+  const MathNode &base = scripts.children[0], &power = without_groups(scripts.children[2]);
+  const auto is_digit = [](const MathNode& node) {
+    return node.kind == MathNode::Kind::symbol && node.character >= U'0' && node.character <= U'9';
+  };
+  if (power.kind == MathNode::Kind::row && power.children.size() > 1) {
+    const MathNode& first = power.children.front();
+    const bool is_sign = first.character == U'−' || first.character == U'+';
+    return (is_digit(first) || is_sign) &&
+           std::all_of(power.children.begin() + 1, power.children.end(), is_digit);
+  }
   return base.kind == MathNode::Kind::symbol &&
          std::u32string_view(U"TIωLNmpvFA").find(base.character) != std::u32string_view::npos &&
-         power.kind == MathNode::Kind::symbol && power.character >= U'0' && power.character <= U'9';
+         is_digit(power);
+}
+
+/// A letter that a reader takes for a digit: O, o, and l and I where they have no slant. With an index it is
+/// none, as in o_0.
+bool looks_like_digit(const MathNode& node) {
+  using Kind = MathNode::Kind;
+  if (node.kind == Kind::scripts) return node.children[1].absent() && looks_like_digit(node.children[0]);
+  if (node.kind != Kind::symbol) {
+    const bool is_seen_through = node.kind == Kind::row || node.kind == Kind::alphabet;
+    return is_seen_through && !node.children.empty() && looks_like_digit(node.children.front());
+  }
+  if (std::u32string_view(U"OoΟοι").find(node.character) != std::u32string_view::npos) return true;
+  const bool is_straight = node.alphabet == Alphabet::upright || node.alphabet == Alphabet::sans ||
+                           node.alphabet == Alphabet::mono;
+  return is_straight && (node.character == U'l' || node.character == U'I');
+}
+
+/// \hat n, which everywhere is a vector of length 1.
+bool has_hat(const MathNode& node) {
+  if (node.kind == MathNode::Kind::scripts) return has_hat(node.children[0]);
+  const bool is_hat = node.kind == MathNode::Kind::accent && node.character == 0x0302;
+  return is_hat || std::any_of(node.children.begin(), node.children.end(), has_hat);
 }
 
 /// A letter, or some side by side, with indices and marks that can be seen, none of which formulas use
 /// otherwise: no dots, fractions, roots, functions, blanks.
 bool is_plain_symbol(const MathNode& node, bool is_index = false) {
   using Kind = MathNode::Kind;
-  constexpr char32_t kDot = 0x0307, kTwoDots = 0x0308;
+  constexpr std::u32string_view kDots = U"\u0307\u0308\u20DB\u20DC";
   const auto are_plain = [&](bool in_index) {
     return std::all_of(node.children.begin(), node.children.end(),
                        [in_index](const MathNode& child) { return is_plain_symbol(child, in_index); });
@@ -146,7 +198,7 @@ bool is_plain_symbol(const MathNode& node, bool is_index = false) {
     case Kind::alphabet:
       return !node.children.empty() && are_plain(is_index);
     case Kind::accent:
-      return node.character != kDot && node.character != kTwoDots && are_plain(is_index);
+      return kDots.find(node.character) == std::u32string_view::npos && are_plain(is_index);
     case Kind::bar:
       return are_plain(is_index);
     case Kind::text:
@@ -369,6 +421,11 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
              (means && (is_sign_of_language(tex) || !is_plain)) ||
              (is_quantity(entry.key) && known != entry.key && symbol.math.root && !is_plain))
       refuse("has a sign that formulas use otherwise", "take a letter, with an index or a mark");
+    else if (means && symbol.math.root && looks_like_digit(*symbol.math.root))
+      refuse("is printed as a letter that looks like a digit", "take another letter");
+    else if (means && symbol.math.root && has_hat(*symbol.math.root) &&
+             !may_be_unit_vector(entry.key, symbol, front))
+      refuse("has a hat, and is no vector of length 1", "take a letter without one: \\vec n, or n");
     else if ((means || is_quantity(entry.key)) && is_like_differential(tex))
       refuse("reads as a differential", "take a letter without a d before it");
     else if (const char32_t letter = symbol.math.root ? letter_of_name(symbol.math) : U'\0';

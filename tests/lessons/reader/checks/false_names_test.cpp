@@ -137,6 +137,32 @@ trial = { means = "e1", tex = '\hat q', say = "a trial axis", unit = "1" }
                   "omega = [0, 0, 0.2]\nduration = 2\narrows = [{ of = 'ex', tex = '\\hat q' }]");
 }
 
+// 2026-11-27: \dddot T = T, |\hat x|² = 4, 5O T = 5T and U^{-1} = 2T were proved of symbols so printed.
+TEST(FalseNames, OfMarksDigitsAndPowers) {
+  const auto with = [](const std::string& tex, const std::string& means) {
+    return complaints_of("Text.\n", "[define]\na = { means = \"" + means + "\", tex = '" + tex + "' }\n");
+  };
+  const std::pair<const char*, const char*> refused[] = {{"\\dddot\\beta", "w1"},
+                                                         {"\\ddddot\\beta", "w1"},
+                                                         {"\\hat x", "2*ex"},
+                                                         {"\\hat n_1", "L"},
+                                                         {"\\widehat n", "L"},
+                                                         {"\\hat c", "dot(ez, e3)"},
+                                                         {"\\mathrm O", "dot(e1, e1)"},
+                                                         {"\\iota", "dot(ez, e3)"},
+                                                         {"o", "dot(ez, e3)"},
+                                                         {"\\mathsf l", "dot(ez, e3)"},
+                                                         {"U^{-1}", "2*T"},
+                                                         {"U^{10}", "2*T"}};
+  for (const auto& [tex, means] : refused) EXPECT_THAT(with(tex, means), Not(IsEmpty())) << tex;
+  const std::pair<const char*, const char*> accepted[] = {{"\\hat x", "-1*ex"},
+                                                          {"\\hat n", "L/norm(L)"},
+                                                          {"\\kappa^2", "I1/I3"},
+                                                          {"o_0", "dot(ez, e3)"},
+                                                          {"l_0", "dot(ez, e3)"}};
+  for (const auto& [tex, means] : accepted) EXPECT_THAT(with(tex, means), IsEmpty()) << tex;
+}
+
 TEST(FalseTables, InTheirHeads) {
   const auto typed = [](const std::string& head, const std::string& number) {
     return "| a | " + head + " |\n|---|---|\n| b | $\\live{" + number + "}$ |\n\n";
