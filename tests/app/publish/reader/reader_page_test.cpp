@@ -340,7 +340,6 @@ TEST(Reader, NothingOfALessonBecomesMarkup) {
   put("It **stops**", bad);
   put("[there](#asked)", "[there](javascript:alert)");
   put("Which is it?", "Which \\\\<script>?");
-  put("\\vec N \\tag{5}", "\\vec N \\tag{<script>}");
   const ScratchFolder folder;
   write_text(folder / "hostile.md", lesson);
   const ProgramRun run =
