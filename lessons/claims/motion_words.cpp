@@ -256,7 +256,7 @@ bool is_unit_of_angles(std::string_view unit) {
 }  // namespace
 
 std::string why_not_in(const Expression& expression, std::string_view unit) {
-  if (const std::string why = why_not_turns(expression, unit); !why.empty()) return why;
+  if (std::string why = why_not_turns(expression, unit); !why.empty()) return why;
   if (unit.find("rad") != unit.npos && !is_unit_of_angles(unit))
     return "radians are of angles and their rates: rad, rad/s, rad/s², rad²/s²";
   const bool is_ratio = expression.type() == ExpressionType::scalar && !expression.uses(Operation::acos) &&
