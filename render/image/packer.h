@@ -29,24 +29,26 @@ class Buffer {
   std::size_t bytes_ = 0;
 };
 
-/// So many bytes behind those that are packed are readable, and 0. ISA-L compares 32 bytes at once and may
-/// look beyond the end; nothing it meets there, and nothing an earlier stream left in its work memory, is to
-/// decide which of two equally good matches it takes.
-inline constexpr std::size_t kPackerPadding = 64;
-
-/// Packs one stream after the other. One thread at a time.
+/// Packs one stream after the other, by libdeflate: fast is its level 1, small its level 10; 12 is 3 %
+/// smaller in 2.4 times the time. Of a 1080p frame fast takes some 25 CPU ms, small 0.9 s. The same bytes
+/// give the same stream, in every process and on every processor. ISA-L takes 10 ms, and does not: as of 2.32
+/// its first hash is of the address of its own state (write_first_byte in igzip_icf_body_h1_gr_bt.asm), which
+/// decides in one process of some seventy which of two equally good matches it takes.
 class Packer {
  public:
-  virtual ~Packer() = default;
-  /// At most 2 GiB at once. Precondition: kPackerPadding zeros lie behind `bytes`. Valid until the next call.
-  /// Throws std::length_error, std::bad_alloc.
-  virtual std::span<const std::uint8_t> pack(std::span<const std::uint8_t> bytes) = 0;
-};
+  /// Throws std::bad_alloc.
+  explicit Packer(PngPacking packing);
+  ~Packer();
+  Packer(const Packer&) = delete;
+  Packer& operator=(const Packer&) = delete;
 
-/// Fast: ISA-L's level 1. Its bytes are the same on all x86-64 processors that have SSE 4.2 (since 2008; seen
-/// on one and by emulating four); one without gives other bytes of the same picture. Small: libdeflate's
-/// level 10; 12 is 3 % smaller in 2.4 times the time. 1080p frame: 9 of the 10 CPU ms that its PNG takes, and
-/// 0.9 s.
-std::unique_ptr<Packer> make_packer(PngPacking packing);
+  /// A zlib stream, valid until the next call. One thread at a time. Throws std::bad_alloc.
+  std::span<const std::uint8_t> pack(std::span<const std::uint8_t> bytes);
+
+ private:
+  struct Free;
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace polhode

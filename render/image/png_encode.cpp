@@ -11,7 +11,6 @@
 #include <cmath>
 #include <csetjmp>
 #include <cstdio>
-#include <cstring>
 #include <new>
 
 namespace polhode {
@@ -124,15 +123,13 @@ Status check_image(const Image& image) {
 
 struct PngEncoder::State {
   PngPacking packing;
-  std::unique_ptr<Packer> packer;
+  Packer packer;
   Buffer filtered;
   Writer writer;
 };
 
-PngEncoder::PngEncoder(PngPacking packing) : state_(std::make_unique<State>()) {
-  state_->packing = packing;
-  state_->packer = make_packer(packing);
-}
+PngEncoder::PngEncoder(PngPacking packing)
+    : state_(std::unique_ptr<State>(new State{packing, Packer(packing), {}, {}})) {}
 PngEncoder::~PngEncoder() = default;
 PngEncoder::PngEncoder(PngEncoder&&) noexcept = default;
 PngEncoder& PngEncoder::operator=(PngEncoder&&) noexcept = default;
@@ -143,13 +140,11 @@ Result<std::span<const std::uint8_t>> PngEncoder::encode(const Image& image, con
   const Result<Texts> texts = encode_text(metadata);
   if (!texts) return failure(texts.error());
 
-  std::uint8_t* filtered =
-      state_->filtered.at_least(filtered_bytes(image.size, PngChannels::rgba) + kPackerPadding);
+  std::uint8_t* filtered = state_->filtered.at_least(filtered_bytes(image.size, PngChannels::rgba));
   const PngChannels channels = state_->packing == PngPacking::fast ? filter_rows_fast(image, filtered)
                                                                    : filter_rows_well(image, filtered);
-  const std::size_t bytes = filtered_bytes(image.size, channels);
-  std::memset(filtered + bytes, 0, kPackerPadding);
-  const std::span<const std::uint8_t> packed = state_->packer->pack({filtered, bytes});
+  const std::span<const std::uint8_t> packed =
+      state_->packer.pack({filtered, filtered_bytes(image.size, channels)});
 
   Writer& writer = state_->writer;
   writer.bytes.clear();
