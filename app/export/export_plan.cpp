@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/export_plan.h"
 
+#include "app/narration/still_numbers.h"
+#include "app/page/page_division.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,7 +62,8 @@ PlannedPicture picture_of(const Subject& subject, std::size_t step, const Equati
           std::nullopt,
           0,
           0,
-          subject.stem + rest_of_name + subject.ending};
+          subject.stem + rest_of_name + subject.ending,
+          0};
 }
 
 /// A step's last equation is what it has come to.
@@ -73,6 +77,28 @@ void plan_steps(const Subject& subject, What what, ExportPlan& plan) {
     if (has(steps[i], what))
       plan.pictures.push_back(
           picture_of(subject, i, result_of(steps[i], what), fmt::format("-step{}", i + 1)));
+}
+
+Status plan_pages(const Subject& subject, const Lesson& lesson, const ExportOptions& options,
+                  const Fonts& fonts, StillNumbers& still_numbers, ExportPlan& plan) {
+  const Result<std::vector<int>> ends = pages_of_stage({.lesson = lesson,
+                                                        .stage = *subject.place.stage,
+                                                        .number = static_cast<int>(subject.place.number),
+                                                        .size = options.size,
+                                                        .theme = options.theme,
+                                                        .text_scale = options.text_scale,
+                                                        .still_numbers = &still_numbers},
+                                                       fonts);
+  if (!ends) return failure(ends.error());
+  int first = 1;
+  for (std::size_t i = 0; i < ends->size(); ++i) {
+    const int last = (*ends)[i];
+    plan.pictures.push_back(
+        picture_of(subject, static_cast<std::size_t>(last - 1), nullptr, fmt::format("-page{}", i + 1)));
+    plan.pictures.back().first_step = first;
+    first = last + 1;
+  }
+  return success();
 }
 
 void plan_equations(const Subject& subject, ExportPlan& plan) {
@@ -152,6 +178,13 @@ Result<ExportPlan> plan_export(const Lesson& lesson, const ExportOptions& option
   if (!stages) return failure(stages.error());
   ExportPlan plan;
   std::vector<Film> films;
+  StillNumbers still_numbers;
+  std::optional<Fonts> fonts;
+  if (options.each == Each::page) {
+    Result<Fonts> opened = Fonts::open();
+    if (!opened) return failure(opened.error());
+    fonts = std::move(opened).value();
+  }
   const auto last_number = static_cast<std::int64_t>(lesson.stages.size());
   for (const Place& place : *stages) {
     const auto number = static_cast<std::int64_t>(place.number);
@@ -162,7 +195,10 @@ Result<ExportPlan> plan_export(const Lesson& lesson, const ExportOptions& option
       plan.left_out.push_back(place.stage->id);
     else if (options.each == Each::step)
       plan_steps(subject, options.what, plan);
-    else if (options.each == Each::frame)
+    else if (fonts) {
+      if (Status planned = plan_pages(subject, lesson, options, *fonts, still_numbers, plan); !planned)
+        return failure(planned.error());
+    } else if (options.each == Each::frame)
       films.push_back(
           {subject, options.what == What::equation ? std::vector{steps.back()} : std::move(steps)});
     else if (options.what == What::equation)

@@ -15,7 +15,8 @@
 namespace polhode {
 
 enum class What { page, equation, figure, transcript };
-enum class Each { stage, step, frame };
+/// Pages to read show several steps each, and all of a stage.
+enum class Each { stage, step, frame, page };
 /// Pixels, or outlines: svg and pdf are for equations, whose type they have as curves.
 enum class PictureFormat { png, svg, pdf };
 /// "svg", as files end and manifests say.
@@ -58,6 +59,7 @@ struct PlannedPicture {
   std::int64_t frame_of_stage = 0;    ///< 0-based within its stage, through which time runs,
   std::int64_t frame_of_step = 0;     ///< and within its step
   std::string file;                   ///< name without folder
+  int first_step = 0;                 ///< of Each::page: the first of the steps on it, from 1
 };
 
 /// The step of a picture.
@@ -71,10 +73,11 @@ struct ExportPlan {
 };
 
 /// In the options' format, with its ending: NN-<stage>.png, NN-<stage>-step<K>.png or
-/// NN-<stage>-frame<F>.png; equations stage by stage are NN-<stage>-<equation>.png. A stage is shown at its
-/// last step with something of the kind to draw: a scene, an equation; pages have all steps. The frames of a
-/// stage are shared evenly among its steps, in order; those of equations belong to the last one. Not for
-/// transcripts. The error: an unknown stage, a range beyond the frames there are, too many frames.
+/// NN-<stage>-frame<F>.png, NN-<stage>-page<P>.png; equations stage by stage are NN-<stage>-<equation>.png. A
+/// stage is shown at its last step with something of the kind to draw: a scene, an equation; pages have all
+/// steps. The frames of a stage are shared evenly among its steps, in order; those of equations belong to the
+/// last one. Not for transcripts. Each::page lays the text out. The error: an unknown stage, a range beyond
+/// the frames there are, too many frames, a text that cannot be set, no fonts.
 Result<ExportPlan> plan_export(const Lesson& lesson, const ExportOptions& options);
 
 /// t of a picture that has a scene, s. @param speed simulated seconds per shown second

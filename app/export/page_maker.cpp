@@ -4,10 +4,12 @@
 #include "app/narration/alt_text.h"
 #include "app/narration/speech_text.h"
 #include "app/narration/still_numbers.h"
+#include "app/page/figure_cells.h"
 #include "app/page/page.h"
 #include "app/page/page_text.h"
 
 #include <algorithm>
+#include <deque>
 
 namespace polhode {
 
@@ -30,14 +32,16 @@ class PageMaker : public PictureMaker {
     if (!content) return passed_on(content);
     const auto& [shown, words] = *content;
     PictureDescription description{words->alt, words->tex, {}, {}, context_.options.size};
+    for (const FigureCell& cell : figures_on_page(request_of(picture, shown))) {
+      const Scene& scene = *cell.step->scene;
+      description.alt +=
+          " Figure: " + alt_text(*cell.model, speech_.words_of_scenes(*cell.step, scene), cell.t_s);
+      if (const std::string plots = speech_.words_of_plots(scene); !plots.empty())
+        description.alt += " Plotted: " + plots;
+    }
     if (!shown.model) return description;
     description.t_s = shown.t_s;
     description.method = shown.model->motion->method();
-    description.alt +=
-        " Figure: " +
-        alt_text(*shown.model, speech_.words_of_scenes(step_of(picture), *picture.scene), shown.t_s);
-    if (const std::string plots = speech_.words_of_plots(*picture.scene); !plots.empty())
-      description.alt += " Plotted: " + plots;
     return description;
   }
 
@@ -58,6 +62,7 @@ class PageMaker : public PictureMaker {
   struct Shown {
     const SceneModel* model = nullptr;
     double t_s = 0;
+    std::vector<FiguredStep> before{};  ///< of a page with several steps
   };
 
   /// What a page has apart from its figure is the same at all times: laid out once for a step.
@@ -94,12 +99,37 @@ class PageMaker : public PictureMaker {
   }
 
   Outcome<Shown> shown_in(const PlannedPicture& picture) {
-    if (!picture.scene) return Shown{};
-    const SceneModel& model = models_.of(*picture.scene);
-    const double t_s = time_of(picture, context_.options, model.rate);
-    if (const Done computable = check_computable(*picture.stage, model, t_s); !computable)
+    Shown shown;
+    if (picture.first_step > 0)
+      if (const Done taken = take_steps_before(picture, shown.before); !taken) return passed_on(taken);
+    if (!picture.scene) return shown;
+    shown.model = &models_.of(*picture.scene);
+    shown.t_s = time_of(picture, context_.options, shown.model->rate);
+    if (const Done computable = check_computable(*picture.stage, *shown.model, shown.t_s); !computable)
       return passed_on(computable);
-    return Shown{&model, t_s};
+    return shown;
+  }
+
+  Done take_steps_before(const PlannedPicture& picture, std::vector<FiguredStep>& before) {
+    const bool is_known = stage_before_ == picture.stage && first_before_ == picture.first_step;
+    if (!is_known) models_before_.clear();
+    stage_before_ = picture.stage;
+    first_before_ = picture.first_step;
+    std::size_t known = 0;
+    for (int step = picture.first_step; step < picture.step; ++step) {
+      const std::shared_ptr<const Scene>& scene =
+          picture.stage->steps[static_cast<std::size_t>(step - 1)].scene;
+      before.push_back({.step = step});
+      if (!scene) continue;
+      if (known == models_before_.size())
+        models_before_.push_back(make_model(*scene, Product::page, context_.effort));
+      const SceneModel& model = models_before_[known++];
+      before.back().model = &model;
+      before.back().t_s = context_.options.at_s.value_or(still_time_s(*scene));
+      if (const Done computable = check_computable(*picture.stage, model, before.back().t_s); !computable)
+        return passed_on(computable);
+    }
+    return done();
   }
 
   /// Frame by frame, what a step adds comes softly; a stage begins with its first step whole.
@@ -143,6 +173,7 @@ class PageMaker : public PictureMaker {
             .step = picture.step,
             .model = shown.model,
             .t_s = shown.t_s,
+            .before = picture.first_step > 0 ? std::optional(std::span(shown.before)) : std::nullopt,
             .size = context_.options.size,
             .theme = context_.options.theme,
             .profile = context_.options.profile,
@@ -160,6 +191,9 @@ class PageMaker : public PictureMaker {
   MakerContext context_;
   SpeechText speech_;
   ModelOfScene models_{Product::page, context_.effort};
+  const Stage* stage_before_ = nullptr;
+  int first_before_ = 0;
+  std::deque<SceneModel> models_before_;  ///< of the steps from there that are on the same page
   StillNumbers still_numbers_{context_.effort};
   StepText text_;  ///< of the picture seen last
   const Stage* stage_of_type_ = nullptr;

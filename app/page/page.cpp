@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/page.h"
 
+#include "app/page/figure_cells.h"
 #include "app/page/figure_place.h"
 #include "app/page/page_text.h"
 #include "app/page/page_transition.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace polhode {
 
@@ -30,7 +32,8 @@ constexpr double kCaptionSize = 0.68;
 constexpr double kWidestText = 0.62;  ///< of a wide page, with its margins
 constexpr double kLeastEm = 16;       ///< px, of prose in a window: small windows scroll
 constexpr double kLeastPlot = 11;     ///< em of small type, in width
-constexpr double kLeastBeside = 11;   ///< em: of a figure beside a panel, which lies over what is more
+constexpr double kBetweenFigures = 0.5;
+constexpr double kLeastBeside = 11;  ///< em: of a figure beside a panel, which lies over what is more
 
 // Of slides. The x-height of the text type is 0.469 em: 1.9 % of the height, as large as that of Beamer's
 // slides; that of the smallest labels, 0.62 em of the sans, is 1.3 %.
@@ -210,22 +213,37 @@ std::size_t meter_rows(const SceneModel& model, bool is_slide) {
   return most;
 }
 
+/// Of plots below the figure. On a page to read several figures have theirs beside them; above text they have
+/// always the same room, whatever they are.
+std::size_t rows_below(const PageRequest& request) {
+  if (request.before && !stands_side_by_side(request.size)) return 1;
+  const std::vector<FigureCell> cells = figures_on_page(request);
+  return cells.size() == 1 && !are_plots_alone(*cells.front().model)
+             ? meter_rows(*cells.front().model, is_wide_slide(request))
+             : 0;
+}
+
 Room room_of(const PageRequest& request) {
   return {static_cast<double>(request.size.width),
           static_cast<double>(request.size.height),
-          request.model && !are_plots_alone(*request.model)
-              ? meter_rows(*request.model, is_wide_slide(request))
-              : 0,
+          rows_below(request),
           request.text_scale,
           request.model && shows_space(request.model->drawn, request.model->needs.marks),
           request.scrolls ? kLeastEm : 0.0,
           request.covered};
 }
 
+/// Whether a page has its text as it stands beside a figure: all pages to read of a stage that has one.
+bool has_figure(const PageRequest& request) {
+  return request.model ||
+         (request.before && std::any_of(request.stage.steps.begin(), request.stage.steps.end(),
+                                        [](const Step& step) { return step.scene != nullptr; }));
+}
+
 Grid grid_of(const PageRequest& request, const SlideType& type) {
   const Room room = room_of(request);
   if (request.profile == Profile::slides) return slide(room, request.model != nullptr, type.column);
-  if (!request.model) return text_alone(room);
+  if (!has_figure(request)) return text_alone(room);
   return is_wide(room) ? side_by_side(room) : one_above_the_other(room);
 }
 
@@ -242,13 +260,13 @@ double small_type(const PageRequest& request, double px) {
   return request.scrolls ? std::max(px, kLeastSmall) : px;
 }
 
-PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, std::vector<std::string> captions,
-                            bool rooms_alone, const Fonts& fonts) {
-  FigurePlace place{.rect = grid.figure,
+PlacedFigure figure_on_page(const PageRequest& request, const FigureCell& cell, const Grid& grid,
+                            std::vector<std::string> captions, bool rooms_alone, const Fonts& fonts) {
+  FigurePlace place{.rect = cell.figure,
                     .caption_px = small_type(request, kCaptionSize * grid.small_em),
                     .theme = request.theme,
                     .background = {},
-                    .quality = quality_of(request.quality.value_or(request.model->scene.quality))};
+                    .quality = quality_of(request.quality.value_or(cell.model->scene.quality))};
   if (request.theme == Theme::dark) {
     place.ground = colors_of(request.theme).backdrop;
     place.background = {Background::Kind::color, *place.ground};
@@ -256,7 +274,7 @@ PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, std::v
   place.captions = std::move(captions);
   place.is_frame = request.is_frame;
   place.rooms_alone = rooms_alone;
-  return place_figure(*request.model, request.t_s, place, fonts);
+  return place_figure(*cell.model, cell.t_s, place, fonts);
 }
 
 void add_plots(const std::vector<TimePlot>& plots, const PixelBox& place, const Rows& arranged,
@@ -282,11 +300,11 @@ void add_plots(const std::vector<TimePlot>& plots, const PixelBox& place, const 
 }
 
 /// Each scene's in its own place, one below the other.
-void add_plots_alone(const PageRequest& request, const std::vector<PixelBox>& places, const Grid& grid,
-                     Sheet& sheet, const Fonts& fonts) {
-  const std::vector<const SceneModel*> shown = shown_models(*request.model);
+void add_plots_alone(const PageRequest& request, const FigureCell& cell, const std::vector<PixelBox>& places,
+                     const Grid& grid, Sheet& sheet, const Fonts& fonts) {
+  const std::vector<const SceneModel*> shown = shown_models(*cell.model);
   for (std::size_t i = 0; i < std::min(shown.size(), places.size()); ++i) {
-    const std::vector<TimePlot> plots = meter_plots(*shown[i], request.t_s);
+    const std::vector<TimePlot> plots = meter_plots(*shown[i], cell.t_s);
     const std::size_t columns = plots.size() > 3 ? 2 : 1;
     add_plots(plots, places[i], {(plots.size() + columns - 1) / columns, columns}, request, grid, sheet,
               fonts);
@@ -294,27 +312,27 @@ void add_plots_alone(const PageRequest& request, const std::vector<PixelBox>& pl
 }
 
 /// @param alone where plots stand that have the figure's place; empty: they stand below it
-void add_meters(const PageRequest& request, const std::vector<PixelBox>& alone, const Grid& grid,
-                Sheet& sheet, const Fonts& fonts) {
-  const SceneModel& model = *request.model;
-  if (!alone.empty()) return add_plots_alone(request, alone, grid, sheet, fonts);
+void add_meters(const PageRequest& request, const FigureCell& cell, const std::vector<PixelBox>& alone,
+                const Grid& grid, Sheet& sheet, const Fonts& fonts) {
+  const SceneModel& model = *cell.model;
+  if (!alone.empty()) return add_plots_alone(request, cell, alone, grid, sheet, fonts);
   if (!each_has_meters(model)) {
-    std::vector<TimePlot> plots = meter_plots(model, request.t_s);
-    Rows arranged = rows_of(plots.size(), false, is_wide_slide(request));
+    std::vector<TimePlot> plots = meter_plots(model, cell.t_s);
+    Rows arranged = rows_of(plots.size(), false, is_wide_slide(request) || cell.are_plots_beside);
     if (request.covered > 0) {  // what would be too narrow to be read lies under the panel
-      const double fitting = std::floor(grid.meters.width() / (kLeastPlot * grid.small_em));
+      const double fitting = std::floor(cell.meters.width() / (kLeastPlot * grid.small_em));
       arranged.columns = std::clamp(static_cast<std::size_t>(fitting), std::size_t{1}, arranged.columns);
       plots.resize(std::min(plots.size(), arranged.rows * arranged.columns));
     }
-    add_plots(plots, grid.meters, arranged, request, grid, sheet, fonts);
+    add_plots(plots, cell.meters, arranged, request, grid, sheet, fonts);
     return;
   }
   const std::vector<const SceneModel*> shown = shown_models(model);
-  const double width = grid.meters.width() / static_cast<double>(shown.size());
+  const double width = cell.meters.width() / static_cast<double>(shown.size());
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const double x = grid.meters.x0 + width * static_cast<double>(i);
-    const PixelBox place{x, grid.meters.y0, x + width, grid.meters.y1};
-    add_plots(meter_plots(*shown[i], request.t_s), place, {meter_rows(model, false), 1}, request, grid, sheet,
+    const double x = cell.meters.x0 + width * static_cast<double>(i);
+    const PixelBox place{x, cell.meters.y0, x + width, cell.meters.y1};
+    add_plots(meter_plots(*shown[i], cell.t_s), place, {meter_rows(model, false), 1}, request, grid, sheet,
               fonts);
   }
 }
@@ -344,7 +362,7 @@ Sheet live_values(const ColumnPiece& piece, const LiveState* live, View view, co
   return sheet;
 }
 
-/// What the present step's claims, and the numbers of all formulas, come to at this time.
+/// What the claims of the steps with figures, and the numbers of all formulas, come to at this time.
 Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& fonts) {
   Sheet sheet;
   const std::vector<ColumnPiece>& pieces = stack.pieces;
@@ -352,10 +370,19 @@ Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& f
     return !piece.live.empty() || !piece.numbers.empty();
   };
   if (std::none_of(pieces.begin(), pieces.end(), has_slots)) return sheet;
-  const auto live = request.model ? live_state(*request.model, request.t_s) : std::nullopt;
-  const View view = request.model ? request.model->scene.views.front() : View::space;
-  for (const ColumnPiece& piece : pieces)
-    append(sheet, live_values(piece, live ? &*live : nullptr, view, fonts), {0, 0});
+  const auto add = [&](const SceneModel* model, double t_s, const auto& is_of_step) {
+    const auto live = model ? live_state(*model, t_s) : std::nullopt;
+    const View view = model ? model->scene.views.front() : View::space;
+    for (const ColumnPiece& piece : pieces)
+      if (is_of_step(piece)) append(sheet, live_values(piece, live ? &*live : nullptr, view, fonts), {0, 0});
+  };
+  const std::span<const FiguredStep> before = request.before.value_or(std::span<const FiguredStep>());
+  for (const FiguredStep& one : before)
+    add(one.model, one.t_s, [&](const ColumnPiece& piece) { return piece.step == one.step; });
+  add(request.model, request.t_s, [&](const ColumnPiece& piece) {
+    return std::none_of(before.begin(), before.end(),
+                        [&](const FiguredStep& one) { return piece.step == one.step; });
+  });
   return sheet;
 }
 
@@ -400,13 +427,37 @@ void add_column(const PageRequest& request, const FittedText& text, Sheet& sheet
   append(sheet, faded(values, opacity), text.corner);
 }
 
+/// Each figure has its place: the only one that of the grid.
+std::vector<FigureCell> placed_figures(const PageRequest& request, const FittedText& text, const Grid& grid) {
+  std::vector<FigureCell> cells = figures_on_page(request);
+  if (cells.empty()) return cells;
+  const double gap = std::round(kBetweenFigures * grid.em);
+  if (request.before && !stands_side_by_side(request.size)) {
+    place_above({0, 0, grid.meters.x1, grid.meters.y1}, gap, cells);
+    return cells;
+  }
+  if (cells.size() == 1) {
+    cells.front().figure = grid.figure;
+    cells.front().meters = grid.meters;
+    return cells;
+  }
+  const int first = request.step - static_cast<int>(request.before->size());
+  std::vector<double> tops;
+  for (const FigureCell& cell : cells) {
+    const auto i = static_cast<std::size_t>(cell.first_step - first);
+    tops.push_back(text.corner.y() + text.step_tops[std::min(i, text.step_tops.size() - 1)]);
+  }
+  place_beside(tops, {static_cast<double>(grid.figure.x), 0, grid.meters.x1, grid.meters.y1}, gap, cells);
+  return cells;
+}
+
 }  // namespace
 
 namespace {
 
 /// Whether a step of the request's stage, from 1, fits its slide in such type.
 Result<bool> fits(const PageRequest& request, int step, const SlideType& type, double least_formula,
-                  const Fonts& fonts) {
+                  bool has_to_recall, const Fonts& fonts) {
   const bool has_figure = request.stage.steps[static_cast<std::size_t>(step - 1)].scene != nullptr;
   const Grid grid = slide(room_of(request), has_figure, type.column);
   PageRequest of_step = request;
@@ -414,7 +465,19 @@ Result<bool> fits(const PageRequest& request, int step, const SlideType& type, d
   of_step.step = step;
   of_step.model = nullptr;
   of_step.slide_type = &type;
-  return fits_slide(of_step, grid.text.width(), grid.text.height(), grid.em, least_formula, fonts);
+  return fits_slide(of_step, grid.text.width(), grid.text.height(), grid.em, least_formula, has_to_recall,
+                    fonts);
+}
+
+/// Whether all steps of the request's stage do.
+Result<bool> all_fit(const PageRequest& request, const SlideType& type, double least_formula,
+                     bool have_to_recall, const Fonts& fonts) {
+  for (std::size_t i = 0; i < request.stage.steps.size(); ++i) {
+    Result<bool> fits_here =
+        fits(request, static_cast<int>(i) + 1, type, least_formula, have_to_recall, fonts);
+    if (!fits_here || !*fits_here) return fits_here;
+  }
+  return true;
 }
 
 }  // namespace
@@ -422,7 +485,7 @@ Result<bool> fits(const PageRequest& request, int step, const SlideType& type, d
 Result<double> slide_scale_of(const PageRequest& request, const Fonts& fonts) {
   const double widest = slide_columns(room_of(request)).back();
   for (const double scale : kSlideScales) {
-    const auto holds = fits(request, request.step, {widest, scale}, kLeastFormulaScale, fonts);
+    const auto holds = fits(request, request.step, {widest, scale}, kLeastFormulaScale, false, fonts);
     if (!holds) return failure(holds.error());
     if (*holds) return scale;
   }
@@ -431,19 +494,19 @@ Result<double> slide_scale_of(const PageRequest& request, const Fonts& fonts) {
 
 Result<SlideType> slide_type_of(const PageRequest& request, const Fonts& fonts) {
   const std::vector<double> columns = slide_columns(room_of(request));
-  for (const double scale : kSlideScales)
-    for (const double column : columns) {
-      const bool is_last = scale == kSlideScales.back() && column == columns.back();
-      const SlideType type{column, scale};
-      bool holds = true;
-      for (std::size_t i = 0; holds && !is_last && i < request.stage.steps.size(); ++i) {
-        const auto fits_here =
-            fits(request, static_cast<int>(i) + 1, type,
-                 column == columns.back() ? kLeastFormulaScale : kWishedFormulaScale, fonts);
-        if (!fits_here) return failure(fits_here.error());
-        holds = *fits_here;
+  const auto least_formula = [&](double column) {
+    return column == columns.back() ? kLeastFormulaScale : kWishedFormulaScale;
+  };
+  // A wider column is better than a slide without what it goes on from, and normal type better than both.
+  for (const bool have_to_recall : {true, false})
+    for (const double scale : kSlideScales) {
+      if (have_to_recall && scale < kSlideScales.front()) break;
+      for (const double column : columns) {
+        const Result<bool> fit =
+            all_fit(request, {column, scale}, least_formula(column), have_to_recall, fonts);
+        if (!fit) return failure(fit.error());
+        if (*fit) return SlideType{column, scale};
       }
-      if (holds) return type;
     }
   return SlideType{columns.back(), kSlideScales.back()};
 }
@@ -472,6 +535,15 @@ Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts) 
   return text;
 }
 
+Result<std::vector<double>> parts_of_page(const PageRequest& request, const Fonts& fonts) {
+  const Grid grid = grid_of(request, {});
+  Result<std::vector<double>> heights =
+      heights_of_pages(request, grid.text.width(), grid.text.height(), grid.em, fonts);
+  if (heights)
+    for (double& height : *heights) height /= grid.text.height();
+  return heights;
+}
+
 Result<Page> compose_page(const PageRequest& request, const Fonts& fonts) {
   const Result<FittedText> text = text_of_page(request, fonts);
   if (!text) return failure(text.error());
@@ -495,20 +567,21 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
                  static_cast<double>(place.x + place.width), static_cast<double>(place.y + place.height)};
   if (request.scrolls) add_bar_of_new(request, text, grid.em, page.sheet);
   add_column(request, text, page.sheet, fonts);
-  if (!request.model) return page;
-  const Step& step = request.stage.steps[static_cast<std::size_t>(request.step - 1)];
-  std::vector<std::string> captions =
-      captions_at(request.lesson, step, *request.model, request.t_s, text.in_captions);
-  const bool has_none =
-      std::all_of(captions.begin(), captions.end(), [](const std::string& one) { return one.empty(); });
-  const bool rooms_alone = request.scrolls && has_none && step.scene;
-  if (rooms_alone)
-    captions = lesson_captions_at(request.lesson, step, *request.model, request.t_s, text.in_captions);
-  PlacedFigure figure = figure_on_page(request, grid, std::move(captions), rooms_alone, fonts);
-  page.insets = std::move(figure.insets);
-  append(page.sheet, std::move(figure.sheet), {0, 0});
-  add_meters(request, figure.plots, grid, page.sheet, fonts);
-  if (are_plots_alone(*request.model)) {
+  for (const FigureCell& cell : placed_figures(request, text, grid)) {
+    const Step& step = *cell.step;
+    std::vector<std::string> captions =
+        captions_at(request.lesson, step, *cell.model, cell.t_s, text.in_captions);
+    const bool has_none =
+        std::all_of(captions.begin(), captions.end(), [](const std::string& one) { return one.empty(); });
+    const bool rooms_alone = request.scrolls && has_none && step.scene;
+    if (rooms_alone)
+      captions = lesson_captions_at(request.lesson, step, *cell.model, cell.t_s, text.in_captions);
+    PlacedFigure figure = figure_on_page(request, cell, grid, std::move(captions), rooms_alone, fonts);
+    std::move(figure.insets.begin(), figure.insets.end(), std::back_inserter(page.insets));
+    append(page.sheet, std::move(figure.sheet), {0, 0});
+    add_meters(request, cell, figure.plots, grid, page.sheet, fonts);
+  }
+  if (request.model && are_plots_alone(*request.model)) {
     page.meters = page.figure;
     page.figure = {};
   }
@@ -535,12 +608,13 @@ Page compose_picture(const PageRequest& request, const Fonts& fonts) {
   const double rows = are_plots_alone(model) ? 0.0 : static_cast<double>(meter_rows(model, false));
   const double below = kPicturePlots * rows / (kPictureFigure + kPicturePlots * rows) * h;
   const Grid grid{em, em, {}, rounded(0, 0, w, h - below), {0, h - below, w, h}};
+  const FigureCell cell{.model = &model, .t_s = request.t_s, .figure = grid.figure, .meters = grid.meters};
   Page page;
   PlacedFigure figure =
-      figure_on_page(request, grid, std::vector<std::string>(shown_models(model).size()), false, fonts);
+      figure_on_page(request, cell, grid, std::vector<std::string>(shown_models(model).size()), false, fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});
-  add_meters(request, figure.plots, grid, page.sheet, fonts);
+  add_meters(request, cell, figure.plots, grid, page.sheet, fonts);
   page.meters = grid.meters;
   page.figure = {0, 0, w, h - below};
   return page;

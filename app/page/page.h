@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A page of a lesson: text column, figure and meters, laid out for its size. What a step adds stands whole on
-// its page; of the steps before it, as much as there is room for: everything, or their equations alone. On a
-// slide the step stands alone, with the equation that was come to before it in a line at the foot.
+// A page of a lesson: text column, figures and meters, laid out for its size. What a step adds stands whole
+// on its page; of the steps before it, as much as there is room for: everything, or their equations alone. A
+// page to read may have several steps, each with its figure beside it. On a slide the step stands alone, with
+// the equation that was come to before it at the foot.
 #pragma once
 
 #include "app/narration/verdict_row.h"
@@ -11,6 +12,7 @@
 #include "render/scene/model/model.h"
 
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -58,6 +60,13 @@ struct ShownDerivation {
   bool operator==(const ShownDerivation&) const = default;
 };
 
+/// A step as it stands on a page to read: whole, beside its figure.
+struct FiguredStep {
+  int step = 1;                       ///< of the stage, from 1
+  const SceneModel* model = nullptr;  ///< null: text alone
+  double t_s = 0;
+};
+
 struct PageRequest {
   const Lesson& lesson;
   const Stage& stage;
@@ -65,6 +74,9 @@ struct PageRequest {
   int step = 1;                       ///< from 1
   const SceneModel* model = nullptr;  ///< null: text alone
   double t_s = 0;
+  /// Of a page to read: the steps before this one that stand on it, in order. Absent: as many as there is
+  /// room for, without their figures.
+  std::optional<std::span<const FiguredStep>> before{};
   Size size;
   Theme theme = Theme::paper;
   Profile profile = Profile::page;
@@ -144,6 +156,11 @@ Result<double> slide_scale_of(const PageRequest& request, const Fonts& fonts);
 
 /// Whether a page of this size has its text beside the figure; else below it.
 bool stands_side_by_side(Size size);
+
+/// How much of a page to read its text fills, for pages that end with the request's step and begin with it,
+/// with the one before it, and so forth up to the first that has more than a page holds; not empty. Errors as
+/// of text_of_page.
+Result<std::vector<double>> parts_of_page(const PageRequest& request, const Fonts& fonts);
 
 /// The text column (page_text.h), which is the same at all times, if it runs or has no computed numbers, and
 /// throughout an entrance; most of what a page costs.

@@ -3,6 +3,8 @@
 
 #include "app/narration/still_numbers.h"
 #include "app/page/page.h"
+#include "app/page/page_division.h"
+#include "app/page/page_text.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "render/drawing/plots/meter_plots.h"
 
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -60,20 +63,6 @@ int words_in(const Step& step) {
   return words;
 }
 
-/// Whether two steps have the same picture: the body, its motion, the instant, and all that is drawn and
-/// plotted.
-bool same_picture(const std::shared_ptr<const Scene>& a, const std::shared_ptr<const Scene>& b) {
-  if (a == b) return true;
-  if (!a || !b) return false;
-  const auto picture_of = [](Scene scene) {
-    scene.caption.clear();
-    scene.duration_s.reset();
-    scene.rate.reset();
-    return scene;
-  };
-  return picture_of(*a) == picture_of(*b);
-}
-
 SourcePlace place_of(const Stage& stage, const Step& step) {
   if (step.blocks.empty()) return stage.place;
   return std::visit([](const auto& block) { return block.place; }, step.blocks.front());
@@ -102,6 +91,8 @@ class PageLint {
 
  private:
   void check(const Stage& stage, int number) {
+    slide_type_.reset();
+    models_.clear();
     for (std::size_t i = 0; i < stage.steps.size(); ++i) {
       const Step& step = stage.steps[i];
       place_ = place_of(stage, step);
@@ -116,10 +107,12 @@ class PageLint {
              fmt::format("step {} of stage \"{}\" cannot be drawn: {}", i + 1, stage.id, error.what()), ""});
       }
     }
+    if (sizes_.size() > 1 && models_.size() == stage.steps.size()) check_pages(stage, number);
   }
 
   void check(const Stage& stage, int number, int step_number, const Step& step) {
-    const SceneModel model = step.scene ? make_model(*step.scene, Product::page, effort_) : SceneModel();
+    models_.push_back(step.scene ? make_model(*step.scene, Product::page, effort_) : SceneModel());
+    const SceneModel& model = models_.back();
     if (step.scene != scene_) check_shown(stage, step_number, model);
     scene_ = step.scene;
     for (const Size& size : sizes_) {
@@ -162,14 +155,71 @@ class PageLint {
                "{} is long for a slide: all slides of its stage have type of {:.0f} % of the normal size",
                which, 100.0 * *scale),
            kSplit);
+    check_recalled(request);
     if (index == 0 || !step.scene) return;
-    const bool stays = same_picture(stage.steps[index - 1].scene, step.scene);
+    const std::shared_ptr<const Scene>& before = stage.steps[index - 1].scene;
+    const bool stays = before && (before == step.scene || same_picture(*before, *step.scene));
     if (stays && step.same.empty())
       warn(which + " has the picture of the step before",
            "show what it speaks of, or say in its ```scene why "
            "it stays: same = \"a question about it\"");
     if (!stays && !step.same.empty())
       warn(which + " says why its picture stays, and changes it", "leave out \"same\"");
+  }
+
+  /// A slide drops what it goes on from where there is no room for it: what the author asked for.
+  void check_recalled(PageRequest request) {
+    const Step& step = request.stage.steps[static_cast<std::size_t>(request.step - 1)];
+    if (step.from.empty() || step.from == kRecallsNothing) return;
+    if (!slide_type_) {
+      const Result<SlideType> found = slide_type_of(request, fonts_);
+      if (!found) return;  // said already
+      slide_type_ = *found;
+    }
+    request.profile = Profile::slides;
+    request.slide_type = &*slide_type_;
+    request.model = step.scene ? &models_.back() : nullptr;
+    const Result<FittedText> text = text_of_page(request, fonts_);
+    if (text && text->recalled == nullptr)
+      warn(fmt::format("step {} of stage \"{}\": its slide has no room for \"{}\", which it goes on from",
+                       request.step, request.stage.id, step.from),
+           "say less on it, name a shorter formula of its stage, or write from = \"none\"");
+  }
+
+  /// Pages to read, whose figures have other shapes.
+  void check_pages(const Stage& stage, int number) {
+    PageRequest request{.lesson = lesson_,
+                        .stage = stage,
+                        .number = number,
+                        .size = kPages[0],
+                        .still_numbers = &still_numbers_,
+                        .effort = effort_};
+    const Result<std::vector<int>> ends = pages_of_stage(request, fonts_);
+    if (!ends) return;  // said already
+    int first = 1;
+    for (const int last : *ends) {
+      if (first < last) check_page(request, first, last);
+      first = last + 1;
+    }
+  }
+
+  void check_page(PageRequest request, int first, int last) {
+    const auto figured = [&](int number) {
+      const auto i = static_cast<std::size_t>(number - 1);
+      const Scene* scene = request.stage.steps[i].scene.get();
+      return FiguredStep{number, scene ? &models_[i] : nullptr, scene ? still_time_s(*scene) : 0.0};
+    };
+    std::vector<FiguredStep> before;
+    for (int number = first; number < last; ++number) before.push_back(figured(number));
+    const FiguredStep present = figured(last);
+    request.step = last;
+    request.model = present.model;
+    request.t_s = present.t_s;
+    request.before = before;
+    place_ = place_of(request.stage, request.stage.steps[static_cast<std::size_t>(first - 1)]);
+    spend(effort_, kPageEvaluations);
+    if (const Result<Page> page = compose_page(request, fonts_))
+      check_framing(request, *page, "at the still, on their page to read,");
   }
 
   /// Of a quantity that the motion does not have there is nothing to see, and nothing else says why.
@@ -247,8 +297,11 @@ class PageLint {
         for (const Mesh& mesh : pane.list.meshes)
           body = body || std::any_of(mesh.positions.begin(), mesh.positions.end(), is_outside);
       }
-    const std::string where =
-        fmt::format("step {} of stage \"{}\": {} ", request.step, request.stage.id, when);
+    const std::size_t before = request.before ? request.before->size() : 0;
+    const std::string steps = before == 0
+                                  ? fmt::format("step {}", request.step)
+                                  : fmt::format("steps {} to {}", request.before->front().step, request.step);
+    const std::string where = fmt::format("{} of stage \"{}\": {} ", steps, request.stage.id, when);
     if (arrow) warn(where + "the tip of an arrow lies outside the picture", kFrame);
     if (body) warn(where + "the body is cut by the edge of the picture", kFrame);
   }
@@ -278,9 +331,11 @@ class PageLint {
   std::span<const Size> sizes_;
   const Effort& effort_;
   StillNumbers still_numbers_;
-  SourcePlace place_;                   ///< of the step that is checked
-  std::shared_ptr<const Scene> scene_;  ///< of the step before: steps that go on with one share it
-  std::int64_t plot_evaluations_ = 0;   ///< that its plots count as, on each page
+  SourcePlace place_;                    ///< of the step that is checked
+  std::shared_ptr<const Scene> scene_;   ///< of the step before: steps that go on with one share it
+  std::deque<SceneModel> models_;        ///< of the steps of the stage, as far as they are checked
+  std::optional<SlideType> slide_type_;  ///< of the stage, once it is asked for
+  std::int64_t plot_evaluations_ = 0;    ///< that its plots count as, on each page
   std::vector<Diagnostic> found_;
 };
 

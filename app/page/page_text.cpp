@@ -13,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace polhode {
 
@@ -23,8 +24,10 @@ constexpr double kAboveStep = 1.5;    // em: what is seen above a step that is r
 constexpr double kHeaderToTitle = 0.9;
 constexpr double kLeastOfAll = 0.3;  // smaller type nobody reads; of what is normal for the page
 constexpr double kSmaller = 0.94;
-constexpr double kTallestBefore = 2.6;    // em: of what a slide recalls
-constexpr std::size_t kMostRecalled = 6;  // equations of earlier steps on a page
+constexpr double kTallestBefore = 2.6;         // em: of what a slide recalls in a line
+constexpr std::size_t kMostRecalled = 6;       // equations of earlier steps on a page
+constexpr int kAskedFor = 100;                 // the weight of what a step says that it goes on from
+constexpr std::size_t kMostOfPagesBefore = 3;  // the same where those steps have pages of their own
 
 /// Whether a claim, on whatever step of the stage, says of an equation that it is wrong, or does not follow.
 bool is_refuted(const Stage& stage, const Equation& equation) {
@@ -80,6 +83,14 @@ bool has_equation(const Step& step, const std::string& id) {
                      [&](const Equation* equation) { return equation->id == id; });
 }
 
+/// An earlier step that stands on a page to read as the present one does; null: not on this page.
+const FiguredStep* figured(const PageRequest& request, int step) {
+  if (!request.before) return nullptr;
+  const auto found = std::find_if(request.before->begin(), request.before->end(),
+                                  [&](const FiguredStep& one) { return one.step == step; });
+  return found != request.before->end() ? &*found : nullptr;
+}
+
 /// On the claims of the stage up to the page's step: the same at every size of type.
 using Verdicts = std::map<const Claim*, VerdictRow>;
 
@@ -87,7 +98,8 @@ Verdicts verdicts_of(const PageRequest& request) {
   Verdicts verdicts;
   for (int i = 0; i < request.step; ++i) {
     const Step& step = request.stage.steps[static_cast<std::size_t>(i)];
-    const SceneModel* model = i + 1 == request.step ? request.model : nullptr;
+    const FiguredStep* before = figured(request, i + 1);
+    const SceneModel* model = i + 1 == request.step ? request.model : before ? before->model : nullptr;
     for (const Block& block : step.blocks)
       if (const auto* claim = std::get_if<Claim>(&block))
         verdicts.emplace(claim, verdict_row(*claim, step.scene ? &*step.scene : nullptr, model));
@@ -141,6 +153,15 @@ PageNumbers numbers_of(const PageRequest& request, const Fonts& fonts) {
     };
     keep(in_table, ids.end());
     ids.erase(in_table, ids.end());
+    if (request.before) {
+      const FiguredStep* one = figured(request, i + 1);
+      const SceneModel* model = one ? one->model : i + 1 == request.step ? request.model : nullptr;
+      const auto live = model ? live_state(*model, one ? one->t_s : request.t_s) : std::nullopt;
+      for (const int id : ids)
+        if (live) shown.keep(id, value_of(lesson.numbers[static_cast<std::size_t>(id)], *live));
+      if (!model) keep(ids.begin(), ids.end());
+      continue;
+    }
     const bool is_of_page =
         i + 1 == request.step || !step.scene || !present.scene || same_motion(*step.scene, *present.scene);
     if (is_of_page) now.insert(now.end(), ids.begin(), ids.end());
@@ -158,8 +179,9 @@ PageNumbers numbers_of(const PageRequest& request, const Fonts& fonts) {
 /// An equation of an earlier step, without its text.
 struct Recalled {
   const Equation* equation = nullptr;
-  std::size_t step = 0;
-  int weight = 0;  ///< of two that have no room together the heavier stays
+  const Step* of = nullptr;
+  std::size_t step = 0;  ///< its number in the page's stage; 0: it is of another stage
+  int weight = 0;        ///< of two that have no room together the heavier stays
 };
 
 /// What of the earlier steps a page shows: all steps from `whole_from`, and equations of those before.
@@ -211,15 +233,19 @@ class ScaledText {
 
   /// A slide: the step's own text, and in a line at the foot of the column what it goes on from. Nothing if
   /// that is higher than `height`. Fails if a text cannot be set.
-  Result<std::optional<FittedText>> slide(double height) {
+  Result<std::optional<FittedText>> slide(double height, bool has_to_recall = false) {
     const Selection own{last_};
-    const ColumnPiece foot = from_before();
     const PieceRefs refs = pieces(own);
+    const double own_height = height_of(refs);
+    const ColumnPiece foot = from_before(height - own_height);
     if (!status_) return failure(status_.error());
     const double room = foot.height > 0.0 ? std::floor(height - foot.height - foot.gap) : height;
-    if (height_of(refs) > room) return std::optional<FittedText>();
+    const bool is_asked_for = !present().from.empty() && recalled() != nullptr;
+    if (own_height > room || (has_to_recall && is_asked_for && foot.height == 0.0))
+      return std::optional<FittedText>();
     FittedText text{stack(refs), scale_, formula_scale(own), equations_in(own), request_.step, {0, 0}};
     if (foot.height > 0.0) {
+      text.recalled = recalled();
       ColumnPiece placed = foot;
       placed.sheet = {};
       append(placed.sheet, foot.sheet, {0, std::floor(height - foot.height)});
@@ -260,6 +286,29 @@ class ScaledText {
 
   Stack stacked(const Selection& shown) { return stack(pieces(shown)); }
 
+  /// Where in the stack each step begins that stands there whole.
+  std::vector<double> step_tops(const Selection& shown) {
+    const PieceRefs refs = pieces(shown);
+    std::vector<double> tops;
+    for (std::size_t i = shown.whole_from; i <= last_; ++i) {
+      const auto first = std::find_if(refs.begin(), refs.end(), [&](const ColumnPiece* piece) {
+        return piece->step == static_cast<int>(i) + 1;
+      });
+      if (first == refs.end()) continue;
+      tops.push_back(height_of(PieceRefs(refs.begin(), first + 1)) - (*first)->height);
+    }
+    return tops;
+  }
+
+  /// As of heights_of_pages.
+  Result<std::vector<double>> heights_back(double height) {
+    std::vector<double> heights;
+    for (std::size_t from = last_ + 1; from > 0 && (heights.empty() || heights.back() <= height); --from)
+      heights.push_back(height_of(pieces({from - 1})));
+    if (!status_) return failure(status_.error());
+    return heights;
+  }
+
   double formula_scale(const Selection& shown) {
     double least = 1.0;
     for (const ColumnPiece* piece : pieces(shown)) least = std::min(least, piece->formula_scale);
@@ -276,6 +325,11 @@ class ScaledText {
 
  private:
   std::optional<Selection> most_that_fits(double height) {
+    if (request_.before) {
+      const std::size_t first = last_ - request_.before->size();
+      if (height_of(pieces({first})) > height) return std::nullopt;
+      return recalling(first, height);
+    }
     const std::size_t whole_from =
         first_that_fits(last_ + 1, height, [&](std::size_t i) { return pieces({i}); });
     if (whole_from > last_) return std::nullopt;
@@ -293,10 +347,15 @@ class ScaledText {
   /// latest: more than some are read by nobody.
   Selection recalling(std::size_t whole_from, double height) {
     Selection shown{whole_from};
-    std::vector<Recalled> wanted;
+    const std::vector<const Equation*> asked_for = gone_on_from(whole_from);
+    std::vector<Recalled> wanted = of_other_stages(asked_for);
     for (std::size_t i = 0; i < whole_from; ++i)
-      for (const Equation* equation : blocks_of<Equation>(request_.stage.steps[i]))
-        if (is_repeated(*equation)) wanted.push_back({equation, i, recall_weight(*equation, i)});
+      for (const Equation* equation : blocks_of<Equation>(request_.stage.steps[i])) {
+        const bool is_asked_for = std::find(asked_for.begin(), asked_for.end(), equation) != asked_for.end();
+        if (is_repeated(request_.stage, *equation))
+          wanted.push_back({equation, &request_.stage.steps[i], i + 1,
+                            is_asked_for ? kAskedFor : recall_weight(*equation, i)});
+      }
     const std::vector<Recalled> all = wanted;
     std::stable_sort(wanted.begin(), wanted.end(), [](const Recalled& a, const Recalled& b) {
       return std::pair(a.weight, a.step) > std::pair(b.weight, b.step);
@@ -309,8 +368,9 @@ class ScaledText {
           ordered.push_back(one);
       return ordered;
     };
+    const std::size_t most = request_.before ? kMostOfPagesBefore : kMostRecalled;
     for (const Recalled& next : wanted) {
-      if (shown.recalled.size() == kMostRecalled) break;
+      if (shown.recalled.size() == most) break;
       Selection more = shown;
       more.recalled.push_back(next);
       more.recalled = in_their_order(std::move(more.recalled));
@@ -319,6 +379,27 @@ class ScaledText {
     }
     shown.left_out = all.size() - shown.recalled.size();
     return shown;
+  }
+
+  /// What the steps that stand on a page to read say that they go on from.
+  std::vector<const Equation*> gone_on_from(std::size_t whole_from) const {
+    std::vector<const Equation*> equations;
+    for (std::size_t i = whole_from; request_.before && i <= last_; ++i) {
+      const std::string& from = request_.stage.steps[i].from;
+      if (!from.empty() && from != kRecallsNothing) equations.push_back(find_equation(request_.lesson, from));
+    }
+    return equations;
+  }
+
+  std::vector<Recalled> of_other_stages(const std::vector<const Equation*>& equations) const {
+    std::vector<Recalled> found;
+    for (const Stage& stage : request_.lesson.stages)
+      for (const Step& step : stage.steps)
+        for (const Equation* equation : blocks_of<Equation>(step))
+          if (&stage != &request_.stage && is_repeated(stage, *equation) &&
+              std::find(equations.begin(), equations.end(), equation) != equations.end())
+            found.push_back({equation, &step, 0, kAskedFor});
+    return found;
   }
 
   /// A number before what a step has come to, that before what is claimed, that before the rest.
@@ -350,6 +431,7 @@ class ScaledText {
     const std::size_t body = all.size();
     if (const ColumnPiece* words = symbols_in_words(all, from)) all.push_back(words);
     for (std::size_t i = from; i <= last_; ++i) add(all, whole(i, from).notes);
+    add_references(all);
     if (all.size() > body) all.insert(all.begin() + static_cast<std::ptrdiff_t>(body), &footnote_rule_);
     return all;
   }
@@ -364,18 +446,21 @@ class ScaledText {
     if (!present().from.empty()) return find_equation(request_.lesson, present().from);
     for (std::size_t i = last_; i-- > 0;)
       if (const Equation* equation = focus_of(request_.stage, request_.stage.steps[i]))
-        if (is_repeated(*equation)) return equation;
+        if (is_repeated(request_.stage, *equation)) return equation;
     return nullptr;
   }
 
-  /// If a line holds it: not one of several lines, which would take the room of the step's own.
-  ColumnPiece from_before() {
+  /// In a line, which the step's own text makes room for; or, if none holds it, below its words, where that
+  /// much is left.
+  ColumnPiece from_before(double left) {
     const Equation* equation = recalled();
     if (equation == nullptr) return {};
-    ColumnPiece piece = noted(column_.from_before(*equation));
-    piece.of = equation;
-    const bool is_a_line = piece.width <= width_ && piece.height <= kTallestBefore * scale_ * em_;
-    return is_a_line ? piece : ColumnPiece();
+    ColumnPiece line = noted(column_.from_before(*equation, false));
+    line.of = equation;
+    if (line.width <= width_ && line.height <= kTallestBefore * scale_ * em_) return line;
+    ColumnPiece lines = noted(column_.from_before(*equation, true));
+    lines.of = equation;
+    return lines.width <= width_ && lines.height + lines.gap <= left ? lines : ColumnPiece();
   }
 
   /// Nothing stands in the place of a text that cannot be set.
@@ -408,7 +493,7 @@ class ScaledText {
     quiet.sans = true;
     std::string place = fmt::format("stage {} of {}", request_.number, request_.lesson.stages.size());
     if (!is_slide() && request_.stage.steps.size() > 1)
-      place += fmt::format("  ·  step {} of {}", request_.step, request_.stage.steps.size());
+      place += fmt::format("  ·  {} of {}", steps_in_words(), request_.stage.steps.size());
     const std::string whose = has_own_title() ? in_a_line(request_.stage.title_text) : request_.lesson.title;
     const std::string brief = fmt::format("{} of {}", request_.number, request_.lesson.stages.size());
     DisplayList line = set_line(whose + "  ·  " + place, quiet, fonts_);
@@ -422,6 +507,12 @@ class ScaledText {
     return piece;
   }
 
+  std::string steps_in_words() const {
+    const std::size_t before = request_.before ? request_.before->size() : 0;
+    if (before == 0) return fmt::format("step {}", request_.step);
+    return fmt::format("steps {}–{}", request_.step - static_cast<int>(before), request_.step);
+  }
+
   /// What a step adds.
   struct Whole {
     Pieces text, notes;
@@ -429,8 +520,7 @@ class ScaledText {
   const Whole& whole(std::size_t i, std::size_t whole_from) {
     const int before = notes_before(i, whole_from);
     const auto [made, is_new] = whole_.try_emplace({i, before});
-    if (is_new)
-      made->second = made_whole(request_.stage.steps[i], i == last_, column_.with_notes_after(before));
+    if (is_new) made->second = made_whole(i, column_.with_notes_after(before));
     return made->second;
   }
 
@@ -464,7 +554,30 @@ class ScaledText {
     return &made->second;
   }
 
-  Whole made_whole(const Step& step, bool is_present, const TextColumn& column) {
+  /// What the pieces of a page to read cite.
+  void add_references(PieceRefs& pieces) {
+    if (!request_.before) return;
+    std::set<std::string_view> cited;
+    for (const ColumnPiece* piece : pieces)
+      for (const PlacedType& text : piece->sheet.texts)
+        for (const std::string& name : text.list.names)
+          if (name.starts_with(kCiteLink)) cited.insert(std::string_view(name).substr(kCiteLink.size()));
+    for (const Reference& reference : request_.lesson.references) {
+      if (!cited.contains(reference.key)) continue;
+      const auto [made, is_new] = references_.try_emplace(&reference);
+      if (is_new) {
+        made->second = noted(column_.reference(reference));
+        made->second.of = &reference;
+        tell_cost_of(made->second);
+      }
+      pieces.push_back(&made->second);
+    }
+  }
+
+  Whole made_whole(std::size_t i, const TextColumn& column) {
+    const Step& step = request_.stage.steps[i];
+    const int number = static_cast<int>(i) + 1;
+    const bool is_present = i == last_ || figured(request_, number);
     const Equation* first = focus_of(request_.stage, step);
     const auto focus_on = [&](const Equation& equation) {
       if (!is_in_focus(request_.stage, step, equation)) return Focus::none;
@@ -480,12 +593,14 @@ class ScaledText {
       tell_cost_of(piece);
       piece.is_main = first && std::get_if<Equation>(&block) == first;
       piece.is_new = is_present;
+      piece.step = number;
       (std::holds_alternative<Footnote>(block) ? made.notes : made.text).push_back(std::move(piece));
     };
     if (!step.title.empty() && !is_slide()) {
       made.text.push_back(noted(column_.step_title(step.title)));
       made.text.back().of = &step.title;
       made.text.back().is_new = is_present;
+      made.text.back().step = number;
       tell_cost_of(made.text.back());
     }
     for (const Block& block : step.blocks) {
@@ -494,7 +609,7 @@ class ScaledText {
             column.equation(*equation, focus_on(*equation), marked, verdicts_on(*equation, step, is_present)),
             block);
       if (const auto* claim = std::get_if<Claim>(&block); claim && !has_equation(step, claim->equation))
-        take(verdict(*claim, is_present), block);
+        take(verdict(*claim, step, is_present), block);
       if (const auto* prose = std::get_if<Prose>(&block)) take(column.prose(prose->text), block);
       if (const auto* callout = std::get_if<Callout>(&block))
         take(
@@ -523,15 +638,16 @@ class ScaledText {
     Pieces pieces;
     for (const Block& block : step.blocks)
       if (const auto* claim = std::get_if<Claim>(&block);
-          claim && claim->equation == equation.id && !(is_slide() && is_beside(*claim)))
-        pieces.push_back(verdict(*claim, is_present));
+          claim && claim->equation == equation.id &&
+          !(is_slide() && is_beside(*claim, parts_.verdicts.at(claim))))
+        pieces.push_back(verdict(*claim, step, is_present));
     return pieces;
   }
 
   /// Whether a claim is not the formula that it stands at, and holds: on a slide its badge would seem to be
   /// of the formula.
-  bool is_beside(const Claim& claim) const {
-    const Certainty certainty = parts_.verdicts.at(&claim).certainty;
+  static bool is_beside(const Claim& claim, const VerdictRow& row) {
+    const Certainty certainty = row.certainty;
     const bool holds = certainty == Certainty::proved || certainty == Certainty::stated;
     return claim.origin == Claim::Origin::beside && holds;
   }
@@ -544,8 +660,10 @@ class ScaledText {
     for (const Block& block : step.blocks) {
       const auto* claim = std::get_if<Claim>(&block);
       if (!claim || claim->equation != equation.id) continue;
-      if (is_beside(*claim)) continue;  // its word would seem to be of the formula
-      const VerdictRow& row = parts_.verdicts.at(claim);
+      const auto known = parts_.verdicts.find(claim);  // of another stage none is
+      const VerdictRow row =
+          known != parts_.verdicts.end() ? known->second : verdict_row(*claim, step.scene.get(), nullptr);
+      if (is_beside(*claim, row)) continue;  // its word would seem to be of the formula
       label.in_short = row.word + (claim->given.empty() ? "" : ", under an assumption");
       const bool is_of_what_holds = row.certainty == Certainty::proved && !row.note.empty();
       label.word = is_of_what_holds ? row.word : label.in_short;
@@ -560,8 +678,9 @@ class ScaledText {
 
   /// A slide has no room for rows of numbers, which nobody reads from the back row, nor for what is claimed
   /// beside a formula: pages have both. That it is not the formula itself the slide says.
-  ColumnPiece verdict(const Claim& claim, bool is_present) const {
-    const bool has_numbers = !is_slide() && is_present && scene() && can_be_shown(claim, *scene());
+  ColumnPiece verdict(const Claim& claim, const Step& step, bool is_present) const {
+    const Scene* scene = scene_on_page(step);
+    const bool has_numbers = !is_slide() && is_present && scene && can_be_shown(claim, *scene);
     VerdictRow row = parts_.verdicts.at(&claim);
     if (is_slide() && claim.kind == ClaimKind::measured && row.certainty == Certainty::stated)
       row.note.clear();
@@ -573,9 +692,10 @@ class ScaledText {
     return column_.verdict(row, has_numbers);
   }
 
-  /// That of the page; of a slide that is only tried, the step's own.
-  const Scene* scene() const {
-    return request_.model ? &request_.model->scene : request_.stage.steps[last_].scene.get();
+  /// Of the present step that of the page, which a hand may have changed; where it is only tried, and of
+  /// others, the step's own.
+  const Scene* scene_on_page(const Step& step) const {
+    return request_.model && &step == &present() ? &request_.model->scene : step.scene.get();
   }
 
   void tell_cost_of(const ColumnPiece& piece) const {
@@ -586,17 +706,17 @@ class ScaledText {
 
   /// Whether a formula stands on the pages of later steps, without its text. What is wrong would seem to be
   /// right there, and numbers of one motion to be those of the next.
-  bool is_repeated(const Equation& equation) const {
-    return !is_refuted(request_.stage, equation) && numbers_in(equation).empty();
+  static bool is_repeated(const Stage& stage, const Equation& equation) {
+    return !is_refuted(stage, equation) && numbers_in(equation).empty();
   }
 
   /// The first of its step on the page has the step's title; what is given is not said twice in a row.
   const ColumnPiece& earlier(const Recalled& recalled, const Recalled* above) {
-    const Step& step = request_.stage.steps[recalled.step];
+    const Step& step = *recalled.of;
     EarlierLabel label = label_of_earlier(*recalled.equation, step);
-    if (above && above->step == recalled.step) label.title.clear();
+    if (above && above->of == recalled.of) label.title.clear();
     if (above && !label.note.empty()) {
-      const EarlierLabel last = label_of_earlier(*above->equation, request_.stage.steps[above->step]);
+      const EarlierLabel last = label_of_earlier(*above->equation, *above->of);
       if (last.note == label.note) label.note = "under the same conditions";
     }
     const auto [made, is_new] = earlier_.try_emplace({recalled.equation, label.title + label.note});
@@ -627,6 +747,7 @@ class ScaledText {
   std::map<std::pair<std::size_t, int>, Whole> whole_;  ///< by step and what its footnotes count from
   std::map<std::pair<const Equation*, std::string>, ColumnPiece> earlier_;  ///< by what is said of them
   std::map<std::string, ColumnPiece> in_words_;
+  std::map<const Reference*, ColumnPiece> references_;
 };
 
 Failure<std::string> too_much(const PageRequest& request) {
@@ -640,13 +761,18 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
                             const Fonts& fonts) {
   const TextParts parts = parts_of(request, fonts);
   const auto text_at = [&](double scale) { return ScaledText(request, parts, width, em, scale, fonts); };
-  const auto fitted = [](ScaledText& text, const Selection& shown) {
+  const auto fitted = [&request](ScaledText& text, const Selection& shown) {
     return FittedText{text.stacked(shown),
                       text.scale(),
                       text.formula_scale(shown),
                       text.equations_in(shown),
                       static_cast<int>(shown.whole_from) + 1,
-                      {0, 0}};
+                      {0, 0},
+                      0,
+                      0,
+                      0,
+                      0,
+                      request.before ? text.step_tops(shown) : std::vector<double>()};
   };
   if (request.scrolls) return text_at(1.0).scrolled(height);
   std::optional<FittedText> best;
@@ -659,7 +785,7 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
     if (!shown || (best && shown->rank() >= best_rank)) continue;
     best_rank = shown->rank();
     best = fitted(text, *shown);
-    if (best_rank == 0) break;
+    if (best_rank == 0 || request.before) break;
   }
   if (best) return std::move(*best);
   const double least = kLeastOfAll / std::max(1.0, request.text_scale);
@@ -672,6 +798,12 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
   return too_much(request);
 }
 
+Result<std::vector<double>> heights_of_pages(const PageRequest& request, double width, double height,
+                                             double em, const Fonts& fonts) {
+  const TextParts parts = parts_of(request, fonts);
+  return ScaledText(request, parts, width, em, 1.0, fonts).heights_back(height);
+}
+
 void scroll_to(FittedText& text, double hidden) {
   const double wanted = std::clamp(std::round(hidden), 0.0, text.overflow);
   text.corner.y() += text.hidden - wanted;
@@ -679,10 +811,10 @@ void scroll_to(FittedText& text, double hidden) {
 }
 
 Result<bool> fits_slide(const PageRequest& request, double width, double height, double em,
-                        double least_formula, const Fonts& fonts) {
+                        double least_formula, bool has_to_recall, const Fonts& fonts) {
   const TextParts parts = parts_of(request, fonts);
   ScaledText text(request, parts, width, em, request.slide_type->scale, fonts);
-  const auto made = text.slide(height);
+  const auto made = text.slide(height, has_to_recall);
   if (!made) return failure(made.error());
   return made->has_value() && (*made)->formula_scale >= least_formula;
 }

@@ -19,8 +19,11 @@ struct FittedText {
   /// which `corner` has in it. At first the present step is read from its beginning, or to its end.
   double overflow = 0, hidden = 0;
   double new_from = 0, new_to = 0;  ///< likewise: where the present step stands in the stack, if not alone
-  LongestNumbers in_captions{};     ///< of a page that runs
-  SlideType type{};                 ///< of a slide
+  /// Of a page to read: where each of its steps begins in the stack.
+  std::vector<double> step_tops{};
+  LongestNumbers in_captions{};        ///< of a page that runs
+  SlideType type{};                    ///< of a slide
+  const Equation* recalled = nullptr;  ///< likewise: the one at its foot, that it goes on from
 };
 
 /// `em` is the normal size of prose. Everything at its normal size if that fits in width and height; else a
@@ -31,6 +34,12 @@ struct FittedText {
 Result<FittedText> fit_text(const PageRequest& request, double width, double height, double em,
                             const Fonts& fonts);
 
+/// How high the text is of pages to read that end with the request's step: whole steps alone, at their normal
+/// size, from that step on, from the one before it on, and so forth, up to the first that is higher than
+/// `height`; not empty. Errors as of fit_text.
+Result<std::vector<double>> heights_of_pages(const PageRequest& request, double width, double height,
+                                             double em, const Fonts& fonts);
+
 /// Moves the column of a page that scrolls.
 void scroll_to(FittedText& text, double hidden);
 
@@ -39,8 +48,8 @@ void scroll_to(FittedText& text, double hidden);
 Result<FittedText> fit_slide(const PageRequest& request, double scale, double width, double height, double em,
                              const Fonts& fonts);
 /// Whether it fits at the scale of the request's slide_type, no display smaller than `least_formula` of its
-/// size.
+/// size; if it has to recall, with the equation that the lesson says it goes on from.
 Result<bool> fits_slide(const PageRequest& request, double width, double height, double em,
-                        double least_formula, const Fonts& fonts);
+                        double least_formula, bool has_to_recall, const Fonts& fonts);
 
 }  // namespace polhode

@@ -51,6 +51,8 @@ constexpr double kBesideGap = 0.6;
 constexpr double kBetweenLines = 0.35;  ///< of their size: what is free between two of them
 constexpr double kBarIndent = 0.6;
 constexpr double kBeforeSize = 0.86;
+constexpr double kLeastBefore = 0.72;    ///< of its size: what is too wide for the column
+constexpr double kBeforeLeading = 1.45;  ///< of the words, where the formula stands below them
 constexpr double kPanelPad = 0.5;
 
 std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1) {
@@ -525,7 +527,7 @@ Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const
   return with(lowered(std::move(piece), lower, lower), title, title.ascent, 0);
 }
 
-Result<ColumnPiece> TextColumn::from_before(const Equation& equation) const {
+Result<ColumnPiece> TextColumn::from_before(const Equation& equation, bool below) const {
   TextStyle quiet = style(small_size(kVerdictSize), colors().quiet, 0);
   quiet.sans = true;
   DisplayList words = set_line("from before:", quiet, fonts_);
@@ -533,18 +535,25 @@ Result<ColumnPiece> TextColumn::from_before(const Equation& equation) const {
   std::vector<MathSymbol> symbols = symbols_;
   for (MathSymbol& symbol : symbols)
     if (symbol.color == colors().ink) symbol.color = colors().quiet;
-  const MathStyle math{
+  MathStyle math{
       .size = kBeforeSize * size_, .color = colors().quiet, .strike = colors().quiet, .symbols = &symbols};
-  Result<DisplayList> list = or_why_not(set_math(numbers_.put_into(equation.math), math, fonts_));
+  const auto set = [&] { return or_why_not(set_math(numbers_.put_into(equation.math), math, fonts_)); };
+  Result<DisplayList> list = set();
   if (!list) return failure(list.error());
-  const double top = std::round(std::max(list->ascent, kLineTop * size_)),
-               x = std::round(words.width + 0.6 * size_);
+  if (below && list->width > width_ && width_ >= kLeastBefore * list->width) {
+    math.size *= 0.999 * width_ / list->width;
+    list = set();
+    if (!list) return failure(list.error());
+  }
+  const double above = below ? std::round(kBeforeLeading * quiet.size) : 0.0;
+  const double top = std::round(above + std::max(list->ascent, kLineTop * size_)),
+               x = below ? 0.0 : std::round(words.width + 0.6 * size_);
   ColumnPiece piece{.sheet = {},
                     .height = top + std::round(std::max(list->depth, kLineBottom * size_)),
                     .width = x + list->width,
                     .gap = kParagraphGap * size_};
   take_rooms(*list, {x, top}, piece);
-  piece.sheet.texts.push_back({.list = std::move(words), .at = {0, top}});
+  piece.sheet.texts.push_back({.list = std::move(words), .at = {0, below ? std::round(quiet.size) : top}});
   piece.sheet.texts.push_back({.list = std::move(list).value(), .at = {x, top}});
   if (equation.tag.empty()) return piece;
   DisplayList tag = set_line("(" + equation.tag + ")", style(kBeforeSize * size_, colors().quiet, 0), fonts_);
@@ -627,6 +636,17 @@ ColumnPiece TextColumn::symbols_in_words(const std::string& text) const {
   TextStyle small = style(em, colors().quiet, width_);
   small.leading = 1.35;
   return *piece_of(set_lines(text, small, fonts_), em, 0.3 * em);
+}
+
+Result<ColumnPiece> TextColumn::reference(const Reference& reference) const {
+  const double em = small_size(kFootnoteSize);
+  TextStyle small = style(em, colors().quiet, width_);
+  small.leading = 1.35;
+  TextSpan span;
+  span.text = fmt::format("[{}] {}", reference.key, reference.text);
+  TextBlock line;
+  line.spans.push_back(std::move(span));
+  return piece_of(set({std::move(line)}, small), em, 0.3 * em);
 }
 
 ColumnPiece TextColumn::footnote_rule() const {
@@ -721,6 +741,7 @@ Stack stack(const std::vector<const ColumnPiece*>& pieces) {
                            .formula = piece.formula,
                            .is_main = piece.is_main,
                            .is_new = piece.is_new,
+                           .step = piece.step,
                            .panel = piece.panel});
     for (QuestionRows rows : piece.questions) {
       for (double& y : rows.y) y += made.height;

@@ -51,6 +51,7 @@ struct ColumnPiece {
   std::optional<std::size_t> formula{};   ///< of an equation: which of the sheet's texts it is
   bool is_main = false;                   ///< the equation that its step has come to
   bool is_new = false;                    ///< of the present step
+  int step = 0;                           ///< of the stage, from 1, to which it belongs; 0: to none
   std::size_t panel = 0;  ///< how many of the sheet's shapes, from the first, are panel and bar of the focus
 };
 
@@ -97,8 +98,9 @@ class TextColumn {
   /// An equation of an earlier step: small, without emphasis; the title of its step on its left, in several
   /// lines if need be, or above it where it is too wide; its kind below it: that is of the formula.
   Result<ColumnPiece> earlier_equation(const Equation& equation, const EarlierLabel& label = {}) const;
-  /// A line: "from before", and the equation.
-  Result<ColumnPiece> from_before(const Equation& equation) const;
+  /// "from before", and the equation: behind it, in a line, or below it, where it is set a little smaller if
+  /// it is too wide.
+  Result<ColumnPiece> from_before(const Equation& equation, bool below) const;
   Result<ColumnPiece> prose(const RichText& text) const;
   /// Of a derivation the title, or in full its text.
   Result<ColumnPiece> callout(const Callout& callout, const std::string& label, bool in_full = false) const;
@@ -109,6 +111,8 @@ class TextColumn {
   /// A text as set_lines has it, small and quiet.
   ColumnPiece symbols_in_words(const std::string& text) const;
   /// The short line above all footnotes.
+  /// A source, with the key that it is cited by.
+  Result<ColumnPiece> reference(const Reference& reference) const;
   ColumnPiece footnote_rule() const;
   Result<ColumnPiece> question(const Ask& ask) const;
   /// A formula, and behind it a chip with the word, or below it where there is no room.

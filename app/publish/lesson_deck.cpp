@@ -21,8 +21,14 @@ Result<std::string> description_in(const std::filesystem::path& file) {
   return std::string();
 }
 
-/// Its title, or its number, where a slide is a step of several.
+/// Its title, or its number, where a slide is a step of several; of a page, which steps it has.
 std::string part_of(const SpeechText& speech, const PlannedPicture& picture, const ExportOptions& options) {
+  const std::size_t steps = picture.stage->steps.size();
+  if (options.each == Each::page && picture.first_step < picture.step &&
+      static_cast<std::size_t>(picture.step - picture.first_step) + 1 < steps)
+    return fmt::format("steps {}–{} of {}", picture.first_step, picture.step, steps);
+  if (options.each == Each::page && picture.first_step == picture.step && steps > 1)
+    return fmt::format("step {} of {}", picture.step, steps);
   if (options.each == Each::step && picture.stage->steps.size() > 1) {
     const Step& step = picture.stage->steps[static_cast<std::size_t>(picture.step - 1)];
     return step.title.empty() ? fmt::format("step {} of {}", picture.step, picture.stage->steps.size())

@@ -370,7 +370,7 @@ Command export_command() {
         offer(export_words().what)},
        {"--profile", &typed->profile, "of pages: slides to project, or page to read (default: slides)",
         "KIND", false, offer(export_words().profile)},
-       {"--each", &typed->each, "for each stage, step or frame a picture (default: stage; slides: step)",
+       {"--each", &typed->each, "for each stage, step, frame or page a picture (default: slides step, pages page, else stage)",
         "KIND", false, offer(export_words().each)},
        {"--size", &typed->size, "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)", "WxH",
         false, offer(export_words().size)},
@@ -414,8 +414,9 @@ Command export_command() {
         offer({"slurm"})},
        {"--jobs", &typed->jobs, "draw in N processes, the same in all shards (default: 1)", "N"},
        {"--skip-existing", &typed->skip_existing, "keep what is there and whole; goes on after a stop"}},
-      "A slide has the text of one step in large type, its figure and plots, and what it goes on from in a\n"
-      "line at the foot. A page has as much of the steps before as there is room for, in smaller type.\n"
+      "A slide has the text of one step in large type, its figure and plots, and what it goes on from at\n"
+      "the foot. Pages to read have all steps of a stage, each beside its figure, on as few pages as hold\n"
+      "them; with --each stage or step a page is of one step, and of those before as there is room for.\n"
       "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next. As svg\n"
       "or pdf it has its type as curves, needs no fonts, and its words as title or alternative text.\n"
       "Frames of pages and figures go through the steps of a stage, the seconds shared evenly among them.\n"
@@ -432,7 +433,7 @@ Command export_command() {
       "addresses such as ID.html#stage and #stage/step.2 stay. A lesson that has not changed is not drawn\n"
       "again. --theme, --quality, --sync and --context go with it as with a reader's page.\n"
       "Names of sizes: 16:9 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, for print.\n"
-      "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
+      "Files: NN-STAGE.png, or with -EQUATION, -stepK, -frameF or -pageP behind STAGE, and LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"
       "The bytes depend on lesson and options alone. A folder with an export of other options or another\n"
       "lesson text is refused. Processes with the same command but each its --shard, on any machines that\n"

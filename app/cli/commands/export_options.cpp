@@ -203,7 +203,7 @@ std::vector<std::string> names_of_sizes() {
 
 const ExportWords& export_words() {
   static const ExportWords kWords = {.what = {"page", "equation", "figure", "transcript"},
-                                     .each = {"stage", "step", "frame"},
+                                     .each = {"stage", "step", "frame", "page"},
                                      .size = names_of_sizes(),
                                      .background = {"studio", "paper", "white", "transparent"},
                                      .theme = {"paper", "dark"},
@@ -326,13 +326,16 @@ ExportOptions export_options(const TypedExport& typed) {
   options.what = static_cast<What>(choice("--what", typed.what, export_words().what));
   options.stages = typed.stages;
   options.profile = static_cast<Profile>(choice("--profile", typed.profile, export_words().profile, 1));
-  constexpr std::size_t kStages = 0, kSteps = 1, kFrames = 2;
-  const bool is_of_slides = options.what == What::page && options.profile == Profile::slides;
-  options.each = static_cast<Each>(choice("--each", typed.each, export_words().each,
-                                          !typed.film.empty() ? kFrames
-                                          : is_of_slides      ? kSteps
-                                                              : kStages));
+  const auto each_of_kind = [&] {
+    if (!typed.film.empty()) return Each::frame;
+    if (options.what != What::page) return Each::stage;
+    return options.profile == Profile::slides ? Each::step : Each::page;
+  };
+  options.each = static_cast<Each>(
+      choice("--each", typed.each, export_words().each, static_cast<std::size_t>(each_of_kind())));
   check_combination(typed, options.what, options.each);
+  if (options.each == Each::page && (options.what != What::page || options.profile == Profile::slides))
+    throw usage("--each page goes with --profile page; a slide has one step");
   options.format = static_cast<PictureFormat>(choice("--format", typed.format, export_words().format));
   check_outlines(typed, options);
   if (!typed.size.empty()) options.size = size_of(typed.size, options.what);

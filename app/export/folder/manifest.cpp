@@ -27,6 +27,8 @@ const char* name_of(Each each) {
       return "stage";
     case Each::step:
       return "step";
+    case Each::page:
+      return "page";
     case Each::frame:
       break;
   }

@@ -62,6 +62,15 @@ bool same_motion(const Scene& a, const Scene& b) {
          a.F_S == b.F_S && a.arrow == b.arrow;
 }
 
+bool same_picture(Scene a, Scene b) {
+  for (Scene* scene : {&a, &b}) {
+    scene->caption.clear();
+    scene->duration_s.reset();
+    scene->rate.reset();
+  }
+  return a == b;
+}
+
 double natural_span_s(const Scene& scene) {
   const double turn_s = turn_time(scene.w0_B).value_or(1.0);
   if (!scene.torque.empty()) return kTurnsWithoutPeriod * turn_s;

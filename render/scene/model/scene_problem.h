@@ -14,6 +14,9 @@ Problem problem_of(const Scene& scene);
 /// is drawn, and for how long. Scenes are not compared as they are written: one that names its method or
 /// attitude shows the motion of one that has the same by default.
 bool same_motion(const Scene& a, const Scene& b);
+/// Whether two scenes make one picture, apart from its caption: the body, its motion, the instant, and all
+/// that is drawn and plotted.
+bool same_picture(Scene a, Scene b);
 
 /// Where nothing is said, the plane decides. Without a torque that only turns the whole picture: the motion
 /// in the body is the same, and the plane, to which L is normal, has to lie below. A torque that knows of

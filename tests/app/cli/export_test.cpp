@@ -332,10 +332,36 @@ TEST(ExportPages, ProfilesAreOfPages) {
   EXPECT_THAT(run.err, HasSubstr("--profile goes with pages"));
 }
 
-TEST(ExportPages, EveryStageHasOneWithItsStepsBefore) {
+TEST(ExportPages, HaveAllStepsOfAStageEachBesideItsFigure) {
   const ScratchFolder scratch;
   const ProgramRun run = polhode(
       {"export", test_lesson("tiny.md"), "-o", scratch.path(), "--size", "640x400", "--profile", "page"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(names_in(scratch.path()), ElementsAre("01-steady-page1.png", "02-words-page1.png",
+                                                    "03-rolling-page1.png", "manifest.json"));
+  const Json manifest = manifest_in(scratch.path());
+  EXPECT_EQ(manifest["options"]["each"], "page");
+  const std::string alt = manifest["files"][0]["alt"].get<std::string>();
+  const auto first = alt.find("Figure: ");
+  EXPECT_NE(first, alt.npos);
+  EXPECT_NE(alt.find("Figure: ", first + 1), alt.npos) << "of each step: " << alt;
+}
+
+TEST(ExportPages, OfSeveralStepsAreNoSlidesAndNoFigures) {
+  const ScratchFolder scratch;
+  for (const Words& words : {Words{"--profile", "slides"}, Words{"--what", "figure"}}) {
+    Words all = {"export", test_lesson("tiny.md"), "-o", scratch.path(), "--each", "page"};
+    all.insert(all.end(), words.begin(), words.end());
+    const ProgramRun run = polhode(all);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("--each page goes with --profile page"));
+  }
+}
+
+TEST(ExportPages, EveryStageHasOneWithItsStepsBefore) {
+  const ScratchFolder scratch;
+  const ProgramRun run = polhode({"export", test_lesson("tiny.md"), "-o", scratch.path(), "--size", "640x400",
+                                  "--profile", "page", "--each", "stage"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(names_in(scratch.path()),
               ElementsAre("01-steady.png", "02-words.png", "03-rolling.png", "manifest.json"));
@@ -360,7 +386,7 @@ TEST(ExportPages, HaveAThemeAndRepeatToTheByte) {
   ASSERT_EQ(export_what("page", scratch / "a", small).code, 0);
   ASSERT_EQ(export_what("page", scratch / "b", small).code, 0);
   EXPECT_EQ(contents(scratch / "a"), contents(scratch / "b"));
-  const auto png = read_png(scratch / "a/03-rolling.png");
+  const auto png = read_png(scratch / "a/03-rolling-page1.png");
   ASSERT_TRUE(png.ok());
   EXPECT_LT(png->image.rgba[0], 0x40) << "not dark";
 }

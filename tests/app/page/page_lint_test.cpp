@@ -113,6 +113,22 @@ TEST(PageLint, APictureThatStaysNeedsItsReason) {
   EXPECT_THAT(both[0].message, HasSubstr("says why its picture stays, and changes it"));
 }
 
+TEST(PageLint, ASlideWithoutRoomForWhatItGoesOnFromIsWarnedOf) {
+  std::string wide = "a = 1";
+  for (int i = 0; i < 20; ++i) wide += " + b_{00}";
+  const auto warned = [&](const std::string& from) {
+    const auto found =
+        found_in("a\n\n```math wide\n" + wide + "\n```\n\n---\n\nb\n\n```scene\nat = 1\n" + from + "```\n");
+    return std::count_if(found.begin(), found.end(), [](const Diagnostic& one) {
+      return one.message.find("its slide has no room for \"one/wide\", which it goes on from") !=
+             std::string::npos;
+    });
+  };
+  EXPECT_EQ(warned("from = \"wide\"\n"), 1);
+  EXPECT_EQ(warned(""), 0) << "nobody asked for it";
+  EXPECT_EQ(warned("from = \"none\"\n"), 0);
+}
+
 TEST(PageLint, ALongStepIsWarnedOfWhereItBegins) {
   const auto found = found_with(17);
   ASSERT_EQ(found.size(), 1u);

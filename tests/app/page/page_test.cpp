@@ -565,6 +565,44 @@ TEST(Page, NumbersOfEarlierFormulasStayWhatTheyWereWhereTheMotionIsAnother) {
   EXPECT_EQ(number_on_last_page("omega = [0, 0, 9]"), expected);
 }
 
+// Steps that stand whole with their figures have the numbers of their own motions, each at its own time, in
+// formulas and beside claims.
+TEST(Page, EachStepWithAFigureHasTheNumbersOfItsOwn) {
+  const Lesson lesson = lesson_of(
+      "# A stage {one}\n```math e free\nT = \\frac12\\vec\\omega\\cdot\\vec L\n```\nHere $T = \\live{T}$.\n\n"
+      "```scene\nshow = [\"shape\"]\n```\n---\n"
+      "```math f free\n2T = \\vec\\omega\\cdot\\vec L\n```\nThere $T = \\live{T}$.\n\n"
+      "```scene\nomega = [0, 0, 2]\n```\n");
+  const Stage& stage = lesson.stages[0];
+  const SceneModel first = make_model(*stage.steps[0].scene, Product::page),
+                   second = make_model(*stage.steps[1].scene, Product::page);
+  const std::vector<FiguredStep> before{{1, &first, 0.0}};
+  const auto texts = [&](int step, const SceneModel& model,
+                         std::optional<std::span<const FiguredStep>> with) {
+    const Page page = compose_page({.lesson = lesson,
+                                    .stage = stage,
+                                    .step = step,
+                                    .model = &model,
+                                    .before = with,
+                                    .size = {1600, 900}},
+                                   test_fonts())
+                          .value();
+    std::set<Letters> letters;
+    for (const PlacedType* text : column_of(page)) letters.insert(letters_of(text->list));
+    return letters;
+  };
+  const std::span<const FiguredStep> none;
+  const auto together = texts(2, second, before);
+  const auto missing = [&](const std::set<Letters>& alone) {
+    return std::count_if(alone.begin(), alone.end(),
+                         [&](const Letters& one) { return !together.contains(one); });
+  };
+  const std::set<Letters> one = texts(1, first, none), two = texts(2, second, none);
+  EXPECT_GE(one.size(), 2u + 4u) << "header, title, formula, verdict, words, and numbers beside the claim";
+  EXPECT_EQ(missing(one), 1) << "the header, which tells the step";
+  EXPECT_LE(missing(two), 3) << "likewise, and the formula of the step before with its kind";
+}
+
 TEST(Page, AHighlightedTermIsMarkedBehind) {
   const Lesson lesson = lesson_of(kHighlighted);
   const Checked page = text_page(lesson, 1);

@@ -94,6 +94,28 @@ TEST(Slide, HasTheStepAloneAndWhatItGoesOnFrom) {
   EXPECT_EQ(foot(second), 2u) << "words and the equation";
 }
 
+// 2026-11-27: what a slide goes on from was left out without a word where it was wider or higher than a line.
+TEST(Slide, WhatItGoesOnFromStandsBelowItsWordsWhereNoLineHoldsIt) {
+  const auto recalls = [](const std::string& tex, const std::string& words) {
+    const std::string stages = "# A stage {s}\n\nWords.\n\n```math first\n" + tex +
+                               "\n```\n\n```scene\n```\n\n---\n\n" + words + "\n\n```scene\nat = 1\n```\n";
+    const Slides slides(stages);
+    const SceneModel model = make_model(*slides.stage().steps[1].scene, Product::page);
+    const FittedText text = text_of_page(slides.request(2, &model), test_fonts()).value();
+    return std::pair(text.recalled != nullptr, text.scale);
+  };
+  const std::string tall = "a = \\begin{aligned} b \\\\ c \\\\ d \\end{aligned}";
+  std::string wide = "a = 1";
+  for (int i = 0; i < 5; ++i) wide += " + b_{0000}";
+  for (const std::string& tex : {std::string("a = b"), tall, wide})
+    EXPECT_TRUE(recalls(tex, "Words.").first) << tex;
+  std::string much;
+  for (int i = 0; i < 62; ++i) much += "words ";
+  const auto [has_room, scale] = recalls(tall, much);
+  EXPECT_FALSE(has_room);
+  EXPECT_EQ(scale, recalls("a = b", much).second) << "type smaller for it";
+}
+
 TEST(Slide, ATitleOfItsStepIsItsHeadline) {
   const std::string untitled = "# Of the stage {s}\n\nA few words.\n\n```scene\n```\n";
   const std::string titled = "# Of the stage {s}\n\n## Of the step\n\nA few words.\n\n```scene\n```\n";
