@@ -43,7 +43,7 @@ std::vector<int> pages_of(const Lesson& lesson, Size size = {1600, 900}) {
 }
 
 constexpr const char* kQuestion =
-    "```ask q\ntype = \"number\"\nprompt = \"How many?\"\nanswer = 1\ntolerance = 0.1\nbecause = \"So it "
+    "```ask q\ntype = \"number\"\nprompt = \"How many?\"\nanswer = 1\nbecause = \"So it "
     "is.\"\n```\n";
 
 TEST(PageDivision, ShortStepsStandTogetherAndLongOnesApart) {
@@ -56,10 +56,10 @@ TEST(PageDivision, AStepThatIsLongerThanAPageHasItsOwn) {
 }
 
 TEST(PageDivision, OfDivisionsThatAreAsGoodTheQuestionEndsItsPage) {
-  const std::string long_step = lines(9) + "\n---\n\n";
-  EXPECT_THAT(pages_of(lesson_of(long_step + kQuestion + "\n---\n\n" + long_step + lines(9))),
+  const std::string long_step = lines(3) + "\n---\n\n";
+  EXPECT_THAT(pages_of(lesson_of(long_step + kQuestion + "\n---\n\n" + long_step + lines(3))),
               ElementsAre(2, 4));
-  EXPECT_THAT(pages_of(lesson_of(long_step + long_step + kQuestion + "\n---\n\n" + lines(9))),
+  EXPECT_THAT(pages_of(lesson_of(long_step + long_step + kQuestion + "\n---\n\n" + lines(3))),
               ElementsAre(3, 4));
 }
 
