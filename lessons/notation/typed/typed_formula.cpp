@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/notation/typed_formula.h"
+#include "lessons/notation/typed/typed_formula.h"
 
 #include "base/numbers.h"
 #include "base/utf8.h"
