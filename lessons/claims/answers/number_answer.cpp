@@ -2,6 +2,7 @@
 #include "lessons/claims/answers/number_answer.h"
 
 #include "base/angles.h"
+#include "base/ascii.h"
 #include "base/numbers.h"
 #include "base/utf8.h"
 #include "lessons/claims/answers/answers.h"
@@ -68,8 +69,6 @@ std::string_view without_blanks(std::string_view text) {
   const std::size_t end = text.find_last_not_of(" \t");
   return end == text.npos ? std::string_view() : text.substr(begin, end + 1 - begin);
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Whether exactly three digits stand behind a blank, as in 1 024; they and the blank are taken.
 bool take_group(std::string_view& text, std::string& number) {
