@@ -1,116 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/notation/typed/typed_formula.h"
 
-#include "base/numbers.h"
-#include "base/utf8.h"
-#include "lessons/claims/expressions/expression_names.h"
-#include "lessons/claims/expressions/expression_tex.h"
+#include "base/ascii.h"
 #include "lessons/diagnostics/report.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
+#include <utility>
 
 namespace polhode {
 namespace {
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
-struct Token {
-  enum class Kind { name, number, sign, end } kind = Kind::end;
-  std::string text;  ///< of a sign what it stands for: "x" of ×, "." of ·, "^2" of ²
-  std::size_t at = 0;
-  bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
-};
-
-/// What a character of its own stands for; empty: nothing.
-std::string_view sign_of(char32_t c) {
-  switch (c) {
-    case U'×':
-      return "x";
-    case U'·':
-    case U'⋅':
-      return ".";
-    case U'−':
-    case U'–':
-    case U'‐':
-    case U'‑':
-    case U'‒':
-      return "-";
-    case U'²':
-      return "^2";
-    case U'³':
-      return "^3";
-    case U'′':
-      return "'";
-    default:
-      return "";
-  }
-}
-
-/// Dots above the letter before: of the rate of what it stands for.
-int dots_above(char32_t c) { return c == U'\u0307' ? 1 : c == U'\u0308' ? 2 : 0; }
-
-/// A letter of one character with its dot; empty: it is none.
-std::string_view letter_below_dot(char32_t c) {
-  switch (c) {
-    case U'ẇ':
-      return "w";
-    case U'Ṫ':
-      return "T";
-    case U'Ṅ':
-      return "N";
-    case U'ṗ':
-      return "p";
-    case U'Ḟ':
-      return "F";
-    default:
-      return "";
-  }
-}
-
-/// Commands of TeX that are read, for who is used to them.
-std::string_view sign_of_command(std::string_view name) {
-  if (name == "cdot") return ".";
-  return name == "times" ? "x" : "";
-}
-
-/// Letters of names that are typed as such.
-std::string_view letters_of(char32_t c) {
-  switch (c) {
-    case U'ω':
-      return "omega";
-    case U'₁':
-      return "1";
-    case U'₂':
-      return "2";
-    case U'₃':
-      return "3";
-    default:
-      return "";
-  }
-}
-
-constexpr std::string_view kTensor = "\\mathbf I";
-
-/// A name whose letter an index may follow.
-struct Letter {
-  std::string_view name, plain;  ///< as it is typed; TeX of it before an index
-  std::string alone;             ///< TeX of it without an index; empty: it needs one
-};
-
-const std::vector<Letter>& letters() {
-  static const std::vector<Letter> kLetters = [] {
-    std::vector<Letter> all{
-        {"w", "\\omega", ""}, {"I", "I", std::string(kTensor)}, {"e", "\\hat e", ""}, {"T", "T", "T"}};
-    for (const QuantityFacts& facts : kQuantities)
-      if (!facts.arrow_letter.empty())
-        all.push_back({facts.name, facts.arrow_letter, tex_of(facts.quantity)});
-    return all;
-  }();
-  return kLetters;
-}
 
 /// TeX and the bytes of the line that its parts come from.
 struct Piece {
@@ -144,24 +42,13 @@ Piece around(std::string_view before, const Piece& piece, std::string_view behin
   return made;
 }
 
-/// A name: what stands under a dot, and its index.
-struct Name {
-  std::string letter, index;
-  bool is_vector = false, is_omega = false;
-
-  std::string tex() const { return index.empty() ? letter : letter + "_{" + index + '}'; }
-  /// With dots above; empty where print has none.
-  std::string rate(std::size_t dots) const {
-    const std::string dot = dots == 1 ? "\\dot" : "\\ddot";
-    if (is_omega && dots == 1) return dot + '{' + letter + '}';
-    if (is_vector || dots > 2) return "";
-    return dot + '{' + letter + '}' + (index.empty() ? "" : "_{" + index + '}');
-  }
-};
-
 class Typing {
  public:
-  Typing(std::string_view line, const TypedNames& names) : names_(names) { read_tokens(line); }
+  Typing(std::string_view line, const TypedNames& names) : names_(names) {
+    TypedTokens read = read_typed_tokens(line, names);
+    tokens_ = std::move(read.tokens);
+    fault_ = std::move(read.fault);
+  }
 
   TypedFormula read() {
     TypedFormula formula;
@@ -174,7 +61,7 @@ class Typing {
       all.add(" = ");
       all.add(sum(0));
     }
-    if (now().kind != Token::Kind::end) {
+    if (now().kind != TypedToken::Kind::end) {
       fail(now().at, now().is(")") || now().is("|") ? "a bracket is closed that was not opened"
                                                     : "this is not read here");
       all.add("\\ \\ldots");
@@ -186,164 +73,14 @@ class Typing {
   }
 
  private:
-  const Token& now() const { return tokens_[at_]; }
-  const Token& ahead(std::size_t n) const { return tokens_[std::min(at_ + n, tokens_.size() - 1)]; }
+  const TypedToken& now() const { return tokens_[at_]; }
+  const TypedToken& ahead(std::size_t n) const { return tokens_[std::min(at_ + n, tokens_.size() - 1)]; }
   void next() {
     if (at_ + 1 < tokens_.size()) ++at_;
   }
 
   void fail(std::size_t at, std::string message, std::string hint = {}) {
     if (!fault_) fault_ = TypedFault{at, std::move(message), std::move(hint)};
-  }
-
-  void read_tokens(std::string_view line) {
-    std::size_t at = 0;
-    if (line.size() > kMaxTypedBytes) {
-      fail(kMaxTypedBytes, "a line has at most " + std::to_string(kMaxTypedBytes) + " characters",
-           "write it in several steps");
-      line = line.substr(0, kMaxTypedBytes);
-    }
-    while (at < line.size()) {
-      const std::size_t begin = at;
-      const char c = line[at];
-      if (c == ' ' || c == '\t') {
-        ++at;
-      } else if (is_letter(c)) {
-        read_name(line, at);
-      } else if (is_digit(c)) {
-        while (at < line.size() && is_digit(line[at])) ++at;
-        if (at + 1 < line.size() && line[at] == '.' && is_digit(line[at + 1])) {
-          ++at;
-          while (at < line.size() && is_digit(line[at])) ++at;
-        }
-        tokens_.push_back({Token::Kind::number, std::string(line.substr(begin, at - begin)), begin});
-      } else if (std::string_view("=+-*/().,^'|_").find(c) != std::string_view::npos) {
-        tokens_.push_back({Token::Kind::sign, std::string(1, c), begin});
-        ++at;
-      } else if (c == '\\') {
-        read_command(line, at);
-      } else {
-        const char32_t character = next_character(line, at);
-        if ((!letters_of(character).empty() && !is_digit(letters_of(character).front())) ||
-            !letter_below_dot(character).empty()) {
-          at = begin;
-          read_name(line, at);
-        } else if (const std::string_view sign = sign_of(character); !sign.empty()) {
-          tokens_.push_back({Token::Kind::sign, std::string(sign), begin});
-        } else {
-          fail(begin, "this character is not read: " + in_quotes(line.substr(begin, at - begin)));
-        }
-      }
-    }
-    tokens_.push_back({Token::Kind::end, "", line.size()});
-  }
-
-  /// \omega, \cdot and \times; others are refused, with what to type.
-  void read_command(std::string_view line, std::size_t& at) {
-    const std::size_t begin = at++;
-    std::size_t end = at;
-    while (end < line.size() && is_letter(line[end])) ++end;
-    const std::string_view name = line.substr(at, end - at);
-    if (const std::string_view sign = sign_of_command(name); !sign.empty()) {
-      tokens_.push_back({Token::Kind::sign, std::string(sign), begin});
-      at = end;
-    } else if (name != "omega") {
-      fail(begin, "of TeX only \\omega, \\cdot and \\times are read",
-           "type L for \\vec L, w1' for \\dot\\omega_1, a/b for a fraction");
-      at = end;
-    }
-  }
-
-  /// Letters, and an index behind them: "w1", "w_1", "dw1", "ω₁".
-  void read_name(std::string_view line, std::size_t& at) {
-    const std::size_t begin = at;
-    std::string name;
-    bool has_digit = false;
-    int dots = 0;
-    while (at < line.size()) {
-      std::size_t behind = at;
-      const char32_t c = next_character(line, behind);
-      if (dots_above(c) > 0 ||
-          (c == U'_' && line.substr(behind, 1) == "{" && line.substr(behind + 2, 1) == "}")) {
-        dots += dots_above(c);
-        if (c == U'_') {  // "_{1}"
-          has_digit = has_digit || is_digit(line[behind + 1]);
-          name += line[behind + 1];
-          behind += 3;
-        }
-        at = behind;
-        continue;
-      }
-      if (!letter_below_dot(c).empty() && !has_digit && name.empty()) {
-        name += letter_below_dot(c);
-        ++dots;
-        at = behind;
-        continue;
-      }
-      const std::string_view letters = letters_of(c);
-      const bool letter =
-          (c < 0x80 && is_letter(static_cast<char>(c))) || (!letters.empty() && !is_digit(letters[0]));
-      const bool digit =
-          (c < 0x80 && is_digit(static_cast<char>(c))) || (!letters.empty() && is_digit(letters[0]));
-      if (letter && has_digit) break;  // "I1w1" is two
-      if (c == U'_' && behind < line.size() && (is_letter(line[behind]) || is_digit(line[behind]))) {
-        has_digit = has_digit || is_digit(line[behind]);
-        name += '_';
-      } else if (letter || digit) {
-        has_digit = has_digit || digit;
-        name += letters.empty() ? line.substr(at, behind - at) : letters;
-      } else {
-        break;
-      }
-      at = behind;
-    }
-    if (name == "x")
-      tokens_.push_back({Token::Kind::sign, name, begin});
-    else if (const std::vector<std::size_t> parts = parts_of(name); parts.size() > 1)
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::size_t end = i + 1 < parts.size() ? parts[i + 1] : name.size();
-        tokens_.push_back({Token::Kind::name, name.substr(parts[i], end - parts[i]), begin});
-      }
-    else
-      tokens_.push_back({Token::Kind::name, std::move(name), begin});
-    for (int i = 0; i < dots; ++i) tokens_.push_back({Token::Kind::sign, "'", begin});
-  }
-
-  /// Where the names begin of which one that is not known is made: "kT", "kw". None with an x, which could be
-  /// meant as a cross product, and none that begins with d, as rates do.
-  std::vector<std::size_t> parts_of(const std::string& name) const {
-    if (name.empty() || name.front() == 'd' || name.find('x') != name.npos || find(name)) return {};
-    std::vector<std::size_t> parts;
-    for (std::size_t at = 0; at < name.size();) {
-      std::size_t end = name.size();
-      while (end > at && !find(name.substr(at, end - at))) --end;
-      if (end == at) return {};
-      parts.push_back(at);
-      at = end;
-    }
-    return parts;
-  }
-
-  /// What a name is printed as; nothing if there is none such.
-  std::optional<Name> find(const std::string& text) const {
-    if (const auto own = names_.find(text); own != names_.end()) {
-      const bool is_arrow = own->second.starts_with("\\vec") || own->second.starts_with("\\boldsymbol");
-      return Name{own->second, "", is_arrow || text == "I", text == "omega"};
-    }
-    if (text == "w") return find("omega").value_or(Name{"\\vec\\omega", "", true, true});
-    if (text == "m") return Name{"m", ""};
-    for (const Letter& letter : letters()) {
-      if (!text.starts_with(letter.name)) continue;
-      std::string index = text.substr(letter.name.size());
-      if (index.starts_with('_')) index.erase(0, 1);
-      if (index.empty() && text == letter.name && !letter.alone.empty())
-        return Name{letter.alone, "", letter.name != "T", letter.name == "omega"};
-      const bool is_index = !index.empty() && letter.name != "T" &&
-                            index.size() <= (letter.name == "I" ? 2u : 1u) &&
-                            index.find_first_not_of("123xyz") == index.npos;
-      if (is_index) return Name{std::string(letter.plain), index, letter.name == "e"};
-    }
-    return std::nullopt;
   }
 
   Piece sum(int depth) {
@@ -377,7 +114,7 @@ class Typing {
   }
 
   bool begins_factor() const {
-    return now().kind == Token::Kind::name || now().kind == Token::Kind::number || now().is("(") ||
+    return now().kind == TypedToken::Kind::name || now().kind == TypedToken::Kind::number || now().is("(") ||
            (now().is("|") && !in_bars_);
   }
 
@@ -417,7 +154,7 @@ class Typing {
   }
 
   /// The tensor is set with a dot before what it is applied to, as lessons print it.
-  static bool is_tensor(const Piece& piece) { return piece.tex.ends_with(kTensor); }
+  static bool is_tensor(const Piece& piece) { return piece.tex.ends_with(kTensorTex); }
 
   static Piece without_brackets(const Piece& piece) {
     if (piece.inside.empty()) return piece;
@@ -431,20 +168,20 @@ class Typing {
 
   /// With its power behind it, and its primes.
   Piece factor(int depth) {
-    const Token token = now();
+    const TypedToken token = now();
     if (depth > kMaxTypedNesting) {
       fail(token.at, "brackets are nested too deep here");
       at_ = tokens_.size() - 1;
       return piece_at("\\ldots", token.at);
     }
-    if (token.kind == Token::Kind::number) {
+    if (token.kind == TypedToken::Kind::number) {
       next();
       Piece made = piece_at(token.text, token.at);
       made.is_number = true;
       return powered(std::move(made));
     }
     if (token.is("(") || token.is("|")) return bracketed(token, depth);
-    if (token.kind == Token::Kind::name) return named(token, depth);
+    if (token.kind == TypedToken::Kind::name) return named(token, depth);
     fail(token.at, token.is("-") ? "two signs stand in a row" : "something is missing here",
          token.is("-") ? "write brackets: a*(-b)" : "");
     if (token.is("-")) {
@@ -454,7 +191,7 @@ class Typing {
     return piece_at("\\ldots ", token.at);
   }
 
-  Piece bracketed(const Token& token, int depth) {
+  Piece bracketed(const TypedToken& token, int depth) {
     const bool bars = token.is("|");
     next();
     const bool was_in_bars = std::exchange(in_bars_, bars);
@@ -474,7 +211,7 @@ class Typing {
   /// (…)_2 is a component.
   Piece indexed(Piece base) {
     next();
-    const Token index = now();
+    const TypedToken index = now();
     if (index.text.size() == 1 && std::string_view("123xyz").find(index.text[0]) != std::string_view::npos) {
       next();
     } else {
@@ -488,14 +225,14 @@ class Typing {
 
   Piece powered(Piece base) {
     while (now().is("^") || now().is("^2") || now().is("^3")) {
-      const Token token = now();
+      const TypedToken token = now();
       next();
       std::string exponent = token.text.substr(1);
       if (exponent.empty()) {
         const bool bracket = now().is("(");
         if (bracket) next();
         if (now().is("-")) exponent = "-", next();
-        if (now().kind == Token::Kind::number && now().text.find('.') == std::string::npos) {
+        if (now().kind == TypedToken::Kind::number && now().text.find('.') == std::string::npos) {
           exponent += now().text;
           next();
         } else {
@@ -542,16 +279,17 @@ class Typing {
     return made;
   }
 
-  Piece named(const Token& token, int depth) {
+  Piece named(const TypedToken& token, int depth) {
     if (auto made = quotient_rate(token, depth)) return powered(std::move(*made));
-    if (ahead(1).is("(") && !find(token.text))
+    if (ahead(1).is("(") && !printed_name(token.text, names_))
       if (auto made = function(token, depth)) return primed(powered(std::move(*made)), token.at);
     if (const std::string& t = token.text; t.size() > 1 && t[0] == 'd' && is_digit(t.back()))
-      if (const auto name = find(t.substr(1)); name && !name->is_vector && !find(t)) {
+      if (const auto name = printed_name(t.substr(1), names_);
+          name && !name->is_vector && !printed_name(t, names_)) {
         next();
         return powered(piece_at(name->rate(1), token.at));  // dw1
       }
-    const auto name = find(token.text);
+    const auto name = printed_name(token.text, names_);
     next();
     if (!name) {
       const bool has_x = token.text.size() > 1 && token.text.find('x') != std::string::npos;
@@ -575,7 +313,7 @@ class Typing {
   }
 
   /// d/dt a, d*/dt a, dL/dt, d*L/dt, d(a)/dt: nothing if it is none of these.
-  std::optional<Piece> quotient_rate(const Token& token, int depth) {
+  std::optional<Piece> quotient_rate(const TypedToken& token, int depth) {
     if (token.text.front() != 'd') return std::nullopt;
     const std::size_t begin = at_;
     const auto is_dt = [this](std::size_t n) { return ahead(n).is("/") && ahead(n + 1).text == "dt"; };
@@ -595,8 +333,8 @@ class Typing {
     const std::optional<TypedFault> fault = fault_;
     if (whole) {
       at_ += ahead_by;
-      if (begins_factor() && now().kind != Token::Kind::number) of = factor(depth + 1);
-    } else if (const auto name = find(token.text.substr(1))) {
+      if (begins_factor() && now().kind != TypedToken::Kind::number) of = factor(depth + 1);
+    } else if (const auto name = printed_name(token.text.substr(1), names_)) {
       next();
       of = powered(piece_at(name->tex(), token.at + 1));
     }
@@ -624,7 +362,7 @@ class Typing {
   }
 
   /// Nothing if no function has the name.
-  std::optional<Piece> function(const Token& token, int depth) {
+  std::optional<Piece> function(const TypedToken& token, int depth) {
     const std::string& f = token.text;
     const bool two = f == "cross" || f == "dot" || f == "comp";
     if (!two && f != "norm2" && f != "norm" && f != "inertia" && f != "ddt" && f != "star")
@@ -635,7 +373,7 @@ class Typing {
     Piece second;
     if (two && now().is(",")) {
       next();
-      if (f == "comp" && (now().kind == Token::Kind::number || now().kind == Token::Kind::name)) {
+      if (f == "comp" && (now().kind == TypedToken::Kind::number || now().kind == TypedToken::Kind::name)) {
         second = piece_at(now().text, now().at);
         next();
       } else {
@@ -663,7 +401,7 @@ class Typing {
     } else if (f == "norm2" || f == "norm") {
       made = around("\\left|", first, f == "norm" ? "\\right|" : "\\right|^{2}");
     } else if (f == "inertia") {
-      made = around("\\left(" + std::string(kTensor) + "\\cdot ", part(first), "\\right)");
+      made = around("\\left(" + std::string(kTensorTex) + "\\cdot ", part(first), "\\right)");
     } else {
       Piece of = first;
       of.is_single = is_one(first);
@@ -682,7 +420,7 @@ class Typing {
   }
 
   const TypedNames& names_;
-  std::vector<Token> tokens_;
+  std::vector<TypedToken> tokens_;
   std::size_t at_ = 0;
   bool in_bars_ = false;
   std::optional<TypedFault> fault_;
@@ -700,85 +438,5 @@ std::size_t typed_offset(const TypedFormula& formula, std::size_t tex_offset) {
     if (at <= tex_offset) typed = from;
   return typed;
 }
-
-namespace {
-
-enum class Level { sum, sign, product, atom };
-
-struct Typed {
-  std::string text;
-  Level level = Level::atom;
-};
-
-class Printer {
- public:
-  explicit Printer(const Expression& expression) : expression_(expression) {}
-
-  Typed print(int index) const {
-    using O = Operation;
-    const ExpressionNode& n = expression_.nodes[static_cast<std::size_t>(index)];
-    switch (n.operation) {
-      case O::number:
-        return {digits(n.number.value, 6), Level::atom};
-      case O::constant:
-        return {expression_.constants ? (*expression_.constants)[static_cast<std::size_t>(n.integer)] : "?",
-                Level::atom};
-      case O::quantity:
-        return quantity(n.quantity);
-      case O::negate:
-        return {"-" + within(n.a, Level::sign), Level::sum};
-      case O::add:
-      case O::subtract:
-        return {within(n.a, Level::sum) + (n.operation == O::add ? " + " : " - ") + within(n.b, Level::sign),
-                Level::sum};
-      case O::multiply: {
-        const std::string right = within(n.b, Level::atom);
-        return {within(n.a, Level::product) + (is_digit(right.front()) ? "*" : " ") + right, Level::product};
-      }
-      case O::divide:
-        return {within(n.a, Level::atom) + '/' + within(n.b, Level::atom), Level::sign};
-      case O::power:
-        return {within(n.a, Level::atom) + '^' + std::to_string(n.integer), Level::atom};
-      case O::dot:
-        return {within(n.a, Level::product) + " . " + within(n.b, Level::product), Level::sign};
-      case O::cross:
-        return {within(n.a, Level::product) + " x " + within(n.b, Level::product), Level::sign};
-      case O::norm2:
-      case O::norm:
-        return {'|' + print(n.a).text + '|' + (n.operation == O::norm2 ? "^2" : ""), Level::atom};
-      case O::inertia:
-        return {"I " + within(n.a, Level::atom), Level::product};
-      case O::comp:
-        return {"comp(" + print(n.a).text + ", " + std::to_string(n.integer + 1) + ')', Level::atom};
-      case O::star:
-      case O::ddt: {
-        const std::string d = n.operation == O::star ? "d*" : "d";
-        const Typed of = print(n.a);
-        const bool is_name = is_letter(of.text.front()) && of.text.find_first_of(" (/'") == std::string::npos;
-        return {d + (is_name ? of.text : '(' + of.text + ')') + "/dt", Level::atom};
-      }
-      default:
-        return {expression_.text.substr(n.begin, n.end - n.begin), Level::atom};
-    }
-  }
-
- private:
-  std::string within(int index, Level least) const {
-    const Typed typed = print(index);
-    return typed.level < least ? '(' + typed.text + ')' : typed.text;
-  }
-
-  static Typed quantity(Quantity quantity) {
-    const std::string name(facts_of(quantity).name);
-    if (name.size() == 3 && name.starts_with("dw")) return {name.substr(1) + '\'', Level::atom};
-    return {name, Level::atom};
-  }
-
-  const Expression& expression_;
-};
-
-}  // namespace
-
-std::string typing_of(const Expression& expression, int node) { return Printer(expression).print(node).text; }
 
 }  // namespace polhode

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "lessons/notation/typed/expression_typing.h"
 #include "lessons/notation/typed/typed_formula.h"
 
 #include "lessons/claims/proof/proof.h"
