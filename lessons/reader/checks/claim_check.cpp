@@ -4,7 +4,7 @@
 #include "base/numbers.h"
 #include "lessons/claims/live_claims.h"
 #include "lessons/claims/proof/proof.h"
-#include "lessons/claims/proof/small_states.h"
+#include "lessons/claims/proof/counterexample_text.h"
 #include "lessons/derivation/decided.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/notation/tex_items.h"
