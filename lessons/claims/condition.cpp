@@ -11,7 +11,7 @@ namespace polhode {
 namespace {
 
 struct Settable {
-  Symbol symbol;
+  SymbolIndex symbol;
   Quantity quantity;
   const char* name;
 };
@@ -27,7 +27,7 @@ constexpr std::array<Settable, 9> kSettable{{{symbols::kTorque, Quantity::N1, "N
                                              {symbols::kMoments + 2, Quantity::I3, "I3"}}};
 
 /// What a symbol is called in expressions; empty of what has no name of its own.
-std::string name_of(Symbol symbol, const std::vector<std::string>& constants) {
+std::string name_of(SymbolIndex symbol, const std::vector<std::string>& constants) {
   for (const Settable& known : kSettable)
     if (known.symbol == symbol) return known.name;
   constexpr std::array<const char*, 3> kNumbers{"m", "h", "k"};
@@ -51,7 +51,7 @@ std::optional<std::string> text_of(const Terms& terms, const std::vector<std::st
     text += coefficient.sign() < 0 ? " - " : " + ";
     text += text_of(coefficient.above());
     if (coefficient.below() != 1) text += '/' + text_of(coefficient.below());
-    for (Symbol symbol = 0; symbol < kSymbols; ++symbol) {
+    for (SymbolIndex symbol = 0; symbol < kSymbols; ++symbol) {
       if (monomial[symbol] == 0) continue;
       const std::string name = name_of(symbol, constants);
       if (name.empty()) return std::nullopt;
@@ -62,7 +62,7 @@ std::optional<std::string> text_of(const Terms& terms, const std::vector<std::st
 }
 
 /// x = value, so that the terms are 0; nothing if x occurs otherwise than once with a factor that is never 0.
-std::optional<Terms> solved(const Terms& terms, Symbol x) {
+std::optional<Terms> solved(const Terms& terms, SymbolIndex x) {
   std::optional<std::pair<Monomial, Ratio>> factor;
   Terms rest = terms;
   for (const auto& [monomial, coefficient] : terms) {
@@ -70,7 +70,7 @@ std::optional<Terms> solved(const Terms& terms, Symbol x) {
     if (monomial[x] != 1 || factor) return std::nullopt;
     rest.erase(monomial);
     Monomial inverse{};
-    for (Symbol symbol = 0; symbol < kSymbols; ++symbol) {
+    for (SymbolIndex symbol = 0; symbol < kSymbols; ++symbol) {
       if (symbol == x || monomial[symbol] == 0) continue;
       const bool is_positive =
           symbol == symbols::kMass || (symbol >= symbols::kMoments && symbol < symbols::kTensor);
@@ -83,7 +83,7 @@ std::optional<Terms> solved(const Terms& terms, Symbol x) {
   return multiplied(rest, {*factor});
 }
 
-bool uses_symbol(const Terms& terms, Symbol symbol) {
+bool uses_symbol(const Terms& terms, SymbolIndex symbol) {
   return std::any_of(terms.begin(), terms.end(),
                      [symbol](const auto& term) { return term.first[symbol] != 0; });
 }

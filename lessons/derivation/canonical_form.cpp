@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/derivation/canonical_form.h"
 
-#include "lessons/notation/typed_formula.h"
+#include "lessons/notation/typed/expression_typing.h"
 
 #include <algorithm>
 #include <cmath>

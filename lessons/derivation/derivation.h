@@ -12,7 +12,7 @@
 #include "lessons/claims/proof/proof.h"
 #include "lessons/derivation/canonical_form.h"
 #include "lessons/notation/tex_equation.h"
-#include "lessons/notation/typed_formula.h"
+#include "lessons/notation/typed/typed_formula.h"
 
 #include <memory>
 #include <optional>

@@ -6,6 +6,7 @@
 #include "lessons/claims/expressions/vocabulary.h"
 #include "lessons/derivation/rewriting.h"
 #include "lessons/diagnostics/report.h"
+#include "lessons/notation/typed/expression_typing.h"
 
 #include <algorithm>
 #include <array>

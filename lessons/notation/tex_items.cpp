@@ -119,9 +119,8 @@ class Flattening {
         for (const MathNode& child : node.children) add(child, true);
         return;
       case Kind::space: {
-        constexpr double kQuad = 0.99, kThin = -0.17;  // em; \! is the thin space backwards
         gone_on_ += node.amount;
-        if (node.amount < kThin || gone_on_ < kThin)
+        if (node.amount < kThinBack || gone_on_ < kThinBack)
           throw TexFault(node.span, "a space that goes back may print one thing over another");
         if (gone_on_ < kQuad) return;
         Item gap;
@@ -383,9 +382,8 @@ TexItems lines_of(const MathNode& grid, int depth) {
 }  // namespace
 
 const MathNode* hidden_part(const MathNode& node) {
-  constexpr double kThin = -0.17;  // em, of \!
   const bool has_width = node.kind == Kind::phantom && static_cast<int>(node.amount) % 2 == 1;
-  const bool goes_back = node.kind == Kind::space && node.amount < kThin;
+  const bool goes_back = node.kind == Kind::space && node.amount < kThinBack;
   if (node.kind == Kind::color || has_width || goes_back) return &node;
   for (const MathNode& child : node.children)
     if (const MathNode* found = hidden_part(child)) return found;

@@ -27,6 +27,11 @@ struct TexKindFault : TexFault {
   using TexFault::TexFault;
 };
 
+/// Widths of spaces, em, less a little for rounding: \quad, which parts what stands beside it; \!, which goes
+/// back.
+inline constexpr double kQuad = 0.99;
+inline constexpr double kThinBack = -0.17;
+
 /// What to write instead of (d𝐋/dt)_S.
 inline constexpr std::string_view kRatesOfFrames =
     "\\frac{d\\vec L}{dt} is the rate as seen from space, \\frac{d^*\\vec L}{dt} that as seen from the body";

@@ -78,12 +78,11 @@ class ProvedParts {
   /// Of what stands beside a part, the nearest first.
   template <class Iterator>
   static bool is_apart(Iterator at, Iterator end) {
-    constexpr double kThin = -0.17;  // em
     bool is_wide = false;
     for (; at != end; ++at) {
       const MathNode* node = *at;
       if (node->kind == Kind::space) {
-        if (node->amount < kThin) return false;
+        if (node->amount < kThinBack) return false;
         is_wide = is_wide || node->amount >= kQuad;
         continue;
       }
@@ -119,8 +118,6 @@ class ProvedParts {
     throw TexFault(at.span, "what stands beside this part, or around it, is not proved and joins on to it",
                    "part it off by a comma, \\quad or a new line, or write a formula of its own");
   }
-
-  static constexpr double kQuad = 0.99;  // em
 
   std::vector<const MathNode*>& parts_;
 };

@@ -21,7 +21,6 @@ using Items = TexTerms::Items;
 /// and powers as they stand.
 MathNode as_seen(const MathNode& node) {
   using Kind = MathNode::Kind;
-  constexpr double kQuad = 0.99;  // em
   const auto is_invisible = [](const MathNode& one) {
     return one.kind == Kind::nothing || one.kind == Kind::style ||
            (one.kind == Kind::space && std::abs(one.amount) < kQuad);

@@ -48,7 +48,7 @@ bool is_noun_phrase(const std::string& words) {
       "just",  "like",    "near",    "nearly", "on",    "once",   "only",  "or",      "over",  "per",
       "same",  "since",   "so",      "some",   "than",  "that",   "then",  "there",   "thus",  "to",
       "too",   "under",   "unless",  "until",  "via",   "when",   "where", "whether", "which", "while",
-      "with",  "within",  "without", "here",   "both",  "still",  "yet",   "such",    "other"};
+      "with",  "within",  "without", "both",   "still", "yet",    "such",  "other"};
   std::string word;
   for (const char c : words + ' ') {
     if (c != ' ') {

@@ -28,7 +28,15 @@ class StageBuilder {
   std::vector<Stage> take();
 
  private:
-  struct Fence;
+  /// A fence with the words of its opening line.
+  struct Fence {
+    std::vector<PlacedText>
+        words;  // the first is the kind; without those of `given` and what stands behind them
+    std::vector<PlacedText> given;  // names of assumptions
+    SourcePlace place;
+    int first_line;  // of the content
+    int last_line;
+  };
   struct FenceKind;
   static const std::array<FenceKind, 5> kFenceKinds;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/text_units.h"
 
+#include "base/ascii.h"
 #include "lessons/claims/expressions/dimension.h"
 
 #include <algorithm>
@@ -49,8 +50,6 @@ bool starts_with_any(std::string_view text, std::initializer_list<std::string_vi
 bool ends_with_any(std::string_view text, std::initializer_list<std::string_view> signs) {
   return std::any_of(signs.begin(), signs.end(), [&](std::string_view s) { return text.ends_with(s); });
 }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 bool take_blank(std::string_view& text) {
   for (const std::string_view blank : kBlanks)

@@ -13,9 +13,6 @@ namespace polhode {
 
 bool starts_with_any(std::string_view text, std::initializer_list<std::string_view> signs);
 bool ends_with_any(std::string_view text, std::initializer_list<std::string_view> signs);
-/// ASCII.
-bool is_digit(char c);
-bool is_letter(char c);
 
 /// A blank, also one that no line breaks at, cut off in front or behind.
 bool take_blank(std::string_view& text);

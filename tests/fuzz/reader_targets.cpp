@@ -4,6 +4,7 @@
 #include "lessons/derivation/answer_reasons.h"
 #include "lessons/derivation/derivation.h"
 #include "lessons/derivation/typed_answer.h"
+#include "lessons/notation/typed/expression_typing.h"
 #include "lessons/reader/reader.h"
 #include "tests/fuzz/math_inputs.h"
 #include "tests/fuzz/targets.h"

@@ -75,10 +75,24 @@ TEST(Sources, FollowEachArrow) {
 TEST(Sources, AreFewInEachFolder) {
   constexpr int kMost = 30;  // as many as are taken in at a glance, in the list that an editor shows
   std::map<std::string, int> counts;
-  for (const Source& file : sources({".h", ".cpp"}))
+  for (const Source& file : sources({".h", ".cpp", ".vert", ".frag", ".glsl"}))
     ++counts[fs::path(file.path).parent_path().generic_string()];
   for (const auto& [folder, count] : counts)
     EXPECT_LE(count, kMost) << folder << ": give files that belong together a folder of their own";
+}
+
+// What a claim comes to depends on the lesson alone: whoever sets text, again and again, reads it there.
+// Nothing is proved without a Prover.
+TEST(Sources, OfTheProgramProveWhenALessonIsLoadedAndWhenAnAnswerIsJudged) {
+  const std::set<std::string> provers = {
+      "app/cli/commands/answer.cpp", "app/page/loaded_lesson.cpp", "app/session/answers/answer_check.h",
+      "app/session/answers/derivation_work.h", "app/session/lesson_session.cpp"};
+  static const std::regex kProof(R"(\b(Prover|prove_claims)\b)");
+  std::set<std::string> found;
+  for (const Source& file : sources({".h", ".cpp"}))
+    if (file.path.starts_with("app/") && std::regex_search(code_of(file.text), kProof))
+      found.insert(file.path);
+  EXPECT_EQ(found, provers) << "a proof takes milliseconds: not where text is set";
 }
 
 TEST(Sources, OfThePhysicsAreInTheIndex) {

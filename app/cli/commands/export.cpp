@@ -15,7 +15,7 @@
 #include "app/publish/film.h"
 #include "app/publish/lesson_deck.h"
 #include "app/publish/live/sandbox_page.h"
-#include "app/publish/reader/reader_page.h"
+#include "app/publish/text_edition/reader_page.h"
 #include "base/files/temporary_file.h"
 #include "base/printable.h"
 #include "base/sha256.h"

@@ -6,8 +6,8 @@
 #include "app/publish/html_frame.h"
 #include "app/publish/html_text.h"
 #include "app/publish/live/live_assets.h"
-#include "app/publish/reader/reader_figure.h"
-#include "app/publish/reader/reader_style.h"
+#include "app/publish/text_edition/reader_figure.h"
+#include "app/publish/text_edition/reader_style.h"
 
 #include <fmt/format.h>
 

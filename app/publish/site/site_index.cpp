@@ -4,8 +4,8 @@
 #include "app/export/picture_metadata.h"
 #include "app/publish/html_frame.h"
 #include "app/publish/html_text.h"
-#include "app/publish/reader/reader_style.h"
 #include "app/publish/site/site_assets.h"
+#include "app/publish/text_edition/reader_style.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

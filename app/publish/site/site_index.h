@@ -3,7 +3,7 @@
 // and equations, among which its script looks for words. Without script it can be read all the same.
 #pragma once
 
-#include "app/publish/reader/reader_page.h"
+#include "app/publish/text_edition/reader_page.h"
 
 #include <cstddef>
 #include <string>

@@ -3,6 +3,7 @@
 
 #include "app/session/answers/answer_log.h"
 #include "app/session/command.h"
+#include "base/ascii.h"
 #include "lessons/derivation/derivation.h"
 
 #include <algorithm>
@@ -31,12 +32,10 @@ bool answer_by_key(LessonSession& session, std::string_view key) {
 
 namespace {
 
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 bool can_begin_answer(char c) {
-  return is_letter(c) || (c >= '0' && c <= '9') ||
-         std::string_view("(-+=|.\\").find(c) != std::string_view::npos;
+  return is_letter(c) || is_digit(c) || std::string_view("(-+=|.\\").find(c) != std::string_view::npos;
 }
 
 /// Whether a name in the line begins with the letter, large or small.

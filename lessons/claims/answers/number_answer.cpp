@@ -2,6 +2,7 @@
 #include "lessons/claims/answers/number_answer.h"
 
 #include "base/angles.h"
+#include "base/ascii.h"
 #include "base/numbers.h"
 #include "base/utf8.h"
 #include "lessons/claims/answers/answers.h"
@@ -68,8 +69,6 @@ std::string_view without_blanks(std::string_view text) {
   const std::size_t end = text.find_last_not_of(" \t");
   return end == text.npos ? std::string_view() : text.substr(begin, end + 1 - begin);
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Whether exactly three digits stand behind a blank, as in 1 024; they and the blank are taken.
 bool take_group(std::string_view& text, std::string& number) {
@@ -254,7 +253,7 @@ class NumberJudge {
     const bool is_alone = answer_.unit.empty() || answer_.unit == "1";
     const std::string in =
         is_alone ? "a number without a unit is asked for" : "an answer in " + answer_.unit + " is asked for";
-    const std::string of_another_kind =
+    std::string of_another_kind =
         "the unit is of another kind: " + in + ", and this is in " + typed_.unit;
     if (unit.scaled.dimension != asked_.scaled.dimension) return of_another_kind;
     if (unit.is_percent && !is_alone) return of_another_kind;

@@ -4,6 +4,7 @@
 #include "lessons/claims/condition.h"
 #include "lessons/claims/expressions/degree.h"
 #include "lessons/claims/expressions/lengths.h"
+#include "lessons/claims/proof/counterexample_text.h"
 #include "lessons/claims/proof/expansion.h"
 #include "lessons/claims/proof/signs.h"
 #include "lessons/claims/proof/small_states.h"

@@ -91,7 +91,7 @@ RationalFunction::RationalFunction(std::int64_t number) : below_(one()) {
   if (number != 0) above_.emplace(Monomial{}, Ratio(number));
 }
 
-RationalFunction RationalFunction::of(Symbol symbol) {
+RationalFunction RationalFunction::of(SymbolIndex symbol) {
   RationalFunction x;
   Monomial monomial{};
   monomial[symbol] = 1;
@@ -148,7 +148,7 @@ RationalFunction inverse(const RationalFunction& a) {
 
 StateNumbers<RationalFunction> symbolic_numbers(bool turned) {
   StateNumbers<RationalFunction> numbers;
-  Symbol next = 0;
+  SymbolIndex next = 0;
   for_each_number(numbers, [&next](RationalFunction& number) { number = RationalFunction::of(next++); });
   if (!turned) numbers.q = {1, 0, 0, 0};
   return numbers;

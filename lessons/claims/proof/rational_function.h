@@ -14,13 +14,14 @@
 namespace polhode {
 
 /// A number of StateNumbers, by its place in them.
-using Symbol = std::size_t;
+using SymbolIndex = std::size_t;
 inline constexpr std::size_t kSymbols = 4 + 3 + 6 + 13 * 3 + 3 + kMaxConstants;
 /// The first of: the quaternion, moments, J, the vectors in the order of StateNumbers, m h k, constants.
 namespace symbols {
-inline constexpr Symbol kAttitude = 0, kMoments = 4, kTensor = 7, kVectors = 13, kMass = 52, kConstants = 55;
-inline constexpr Symbol kSpin = kVectors, kSpinRate = kVectors + 3, kVelocity = kVectors + 6,
-                        kTorque = kVectors + 18, kForce = kVectors + 21;
+inline constexpr SymbolIndex kAttitude = 0, kMoments = 4, kTensor = 7, kVectors = 13, kMass = 52,
+                             kConstants = 55;
+inline constexpr SymbolIndex kSpin = kVectors, kSpinRate = kVectors + 3, kVelocity = kVectors + 6,
+                             kTorque = kVectors + 18, kForce = kVectors + 21;
 }  // namespace symbols
 
 /// Calls use(number) for each, in the order of symbols.
@@ -78,7 +79,7 @@ Terms multiplied(const Terms& a, const Terms& b);
 class RationalFunction {
  public:
   RationalFunction(std::int64_t number = 0);  // a number is one: implicit
-  static RationalFunction of(Symbol symbol);
+  static RationalFunction of(SymbolIndex symbol);
 
   const Terms& above() const { return above_; }
   const Terms& below() const { return below_; }

@@ -14,10 +14,11 @@ namespace {
 /// What I1, I2, I3 are of a, b, c, or J_xx, J_yy, J_zz of others such: row by row.
 using Forms = std::array<std::array<Ratio, 3>, 3>;
 const Forms kPossible{{{0, 1, 1}, {1, 0, 1}, {1, 1, 0}}};
-constexpr std::array<Symbol, 3> kMomentsOfI{symbols::kMoments, symbols::kMoments + 1, symbols::kMoments + 2},
+constexpr std::array<SymbolIndex, 3> kMomentsOfI{symbols::kMoments, symbols::kMoments + 1,
+                                                 symbols::kMoments + 2},
     kMomentsOfJ{symbols::kTensor, symbols::kTensor + 3, symbols::kTensor + 5};
 
-bool is_positive(Symbol symbol) {
+bool is_positive(SymbolIndex symbol) {
   const auto is_in = [symbol](const auto& all) {
     return std::find(all.begin(), all.end(), symbol) != all.end();
   };
@@ -30,13 +31,13 @@ struct KnownSigns {
 };
 
 bool is_never_negative(const Monomial& monomial, const KnownSigns& signs) {
-  for (Symbol symbol = 0; symbol < kSymbols; ++symbol)
+  for (SymbolIndex symbol = 0; symbol < kSymbols; ++symbol)
     if (monomial[symbol] % 2 != 0 && !signs.not_negative[symbol]) return false;
   return true;
 }
 
 bool is_never_zero(const Monomial& monomial, const KnownSigns& signs) {
-  for (Symbol symbol = 0; symbol < kSymbols; ++symbol)
+  for (SymbolIndex symbol = 0; symbol < kSymbols; ++symbol)
     if (monomial[symbol] != 0 && !signs.not_zero[symbol]) return false;
   return true;
 }
@@ -90,10 +91,10 @@ bool is_sum_of_what_is_not_negative(const Terms& terms, bool strict, const Known
 }
 
 /// The terms with three symbols, which are positive, written by others; free of powers of them in divisors.
-Terms rewritten(const Terms& terms, const std::array<Symbol, 3>& three, const Forms& forms) {
+Terms rewritten(const Terms& terms, const std::array<SymbolIndex, 3>& three, const Forms& forms) {
   Monomial clearing{};
   for (const auto& [monomial, coefficient] : terms)
-    for (const Symbol symbol : three)
+    for (const SymbolIndex symbol : three)
       clearing[symbol] = std::max(clearing[symbol], static_cast<std::int8_t>(-monomial[symbol]));
   std::array<Terms, 3> moments;
   for (std::size_t i = 0; i < 3; ++i)
@@ -197,7 +198,7 @@ std::optional<Forms> possible_moments(const std::array<RationalFunction, 3>& I) 
 
 KnownSigns signs_of_every_body() {
   KnownSigns signs;
-  for (Symbol symbol = 0; symbol < kSymbols; ++symbol)
+  for (SymbolIndex symbol = 0; symbol < kSymbols; ++symbol)
     signs.not_negative[symbol] = signs.not_zero[symbol] = is_positive(symbol);
   return signs;
 }
@@ -215,8 +216,8 @@ void use(const Bound& bound, const ClaimState<RationalFunction>& state, KnownSig
   if (const auto form = linear(excess)) return restrict_by(*form, strict, moments);
   if (!excess.is_polynomial() || excess.above().size() != 1) return;
   const auto& [monomial, coefficient] = *excess.above().begin();
-  std::optional<Symbol> only;
-  for (Symbol symbol = 0; symbol < kSymbols; ++symbol) {
+  std::optional<SymbolIndex> only;
+  for (SymbolIndex symbol = 0; symbol < kSymbols; ++symbol) {
     if (monomial[symbol] == 0) continue;
     if (only || monomial[symbol] != 1) return;
     only = symbol;
@@ -230,7 +231,7 @@ void use(const Bound& bound, const ClaimState<RationalFunction>& state, KnownSig
 /// Of −x in place of each x that is turned round.
 Terms turned_round(Terms terms, const std::array<bool, kSymbols>& is_turned_round) {
   for (auto& [monomial, coefficient] : terms)
-    for (Symbol symbol = 0; symbol < kSymbols; ++symbol)
+    for (SymbolIndex symbol = 0; symbol < kSymbols; ++symbol)
       if (is_turned_round[symbol] && monomial[symbol] % 2 != 0) coefficient = -coefficient;
   return terms;
 }
@@ -264,7 +265,7 @@ bool is_never_less(const Equality& stated, bool strict, Assumption assumption, c
         is_turned_round);
     if (is_sum_of_what_is_not_negative(terms, strict, signs)) return true;
     Terms by_bodies = rewritten(terms, kMomentsOfJ, kPossible);
-    for (const Symbol moment : kMomentsOfJ) signs.not_zero[moment] = false;
+    for (const SymbolIndex moment : kMomentsOfJ) signs.not_zero[moment] = false;
     if (forms) {
       by_bodies = rewritten(by_bodies, kMomentsOfI, moments.forms);
       for (std::size_t i = 0; i < 3; ++i) signs.not_zero[kMomentsOfI[i]] = moments.not_zero[i];

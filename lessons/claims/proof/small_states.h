@@ -7,9 +7,6 @@
 
 namespace polhode {
 
-/// Of at most six digits; "−" is its minus.
-std::string number_text(double value);
-
 /// The first state in which the sides are not so related, and the premise, if there is one, holds; with a
 /// premise, or where an order is stated or given, also among some hundred states of random small numbers. In
 /// words; what neither depends on under the assumption is left out. `tried`: in how many states both sides
@@ -33,8 +30,5 @@ bool bounds_are_possible(const Given& given);
 /// moments are tried, and such that are 2^n times as heavy, |n| ≤ 140. Some 5 ms where there is none. Of
 /// inequalities nothing is said.
 bool is_possible(const Given& given);
-
-/// As the TeX of a counterexample has the name of a constant, whatever a lesson prints: "\text{mgl}".
-std::string name_in_tex(std::string_view name);
 
 }  // namespace polhode

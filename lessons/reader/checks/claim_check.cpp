@@ -3,36 +3,27 @@
 
 #include "base/numbers.h"
 #include "lessons/claims/live_claims.h"
+#include "lessons/claims/proof/counterexample_text.h"
 #include "lessons/claims/proof/proof.h"
-#include "lessons/claims/proof/small_states.h"
-#include "lessons/derivation/decided.h"
 #include "lessons/diagnostics/report.h"
-#include "lessons/notation/tex_items.h"
-#include "lessons/notation/tex_sides.h"
-#include "lessons/reader/checks/formula_signs.h"
+#include "lessons/reader/checks/claim_kind_check.h"
+#include "lessons/reader/checks/derivation_check.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "lessons/reader/checks/name_check.h"
 #include "lessons/reader/checks/numbers/number_check.h"
+#include "lessons/reader/checks/printed_claim_check.h"
 #include "lessons/reader/checks/prompt_check.h"
-#include "lessons/reader/checks/prose/quantity_words.h"
+#include "lessons/reader/checks/spoken_name_check.h"
 #include "lessons/reader/checks/statement_check.h"
 #include "lessons/reader/questions/state_keys.h"
-#include "render/typeset/math/tree.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <iterator>
 #include <memory>
-#include <set>
 #include <stdexcept>
 
 namespace polhode {
 namespace {
-
-std::int64_t nodes_in(const Equality& equality) {
-  return static_cast<std::int64_t>(equality.left.nodes.size() + equality.right.nodes.size());
-}
 
 std::int64_t nodes_in(const ClaimLine& line) {
   return nodes_in(line.equality) + (line.conclusion ? nodes_in(*line.conclusion) : 0);
@@ -79,7 +70,7 @@ class ClaimCheck {
   std::vector<Diagnostic> run() {
     SourcePlace place;
     try {
-      check_spoken_names();
+      check_spoken_names(lesson_, source_, prover_, report_, effort_);
       for (const Stage& stage : lesson_.stages) {
         equations_ = equations_of(stage);
         statement_check_.begin_stage(stage);
@@ -111,59 +102,6 @@ class ClaimCheck {
   }
 
  private:
-  /// "angular momentum" is L, and nothing else that has its unit.
-  void check_spoken_names() {
-    for (const auto& [name, symbol] : lesson_.symbols) {
-      if (symbol.means == "I" || symbol.means == "J") continue;
-      const std::string& text = symbol.means.empty() ? name : symbol.means;
-      const SourceText source(text);
-      Report unused(source, "");
-      const auto means = read_expression(text, {1, 1}, unused, &lesson_.notation.vocabulary);
-      if (!means) continue;
-      for (const std::string* words : {&symbol.say, &symbol.note}) {
-        const auto said = quantity_of_common_name(*words, lesson_);
-        if (!said || !fit(said->type(), means->type()) || may_be_same(*said, *means)) continue;
-        report_.error(source_.place_of(std::min(symbol.offset, source_.text().size())),
-                      "symbol " + in_quotes(name) + " is said as " + in_quotes(*words) + ", which is " +
-                          said->text + ", and means " + text,
-                      "say what it is");
-        break;
-      }
-    }
-  }
-
-  /// What no proof decides, such as the largest of three moments, may be so in some scene of the lesson.
-  bool may_be_same(const Expression& a, const Expression& b) {
-    const Equality sides{a, b};
-    if (is_provable(sides)) return prover_.settle(sides, Assumption::identity) != Verdict::fails;
-    bool is_told = false;
-    const Scene* last = nullptr;
-    for (const Stage& stage : lesson_.stages)
-      for (const Step& step : stage.steps) {
-        if (!step.scene || step.scene.get() == last) continue;
-        last = step.scene.get();
-        const auto live = state_of_first(*step.scene);
-        const auto x = live ? live_number(a, *live) : std::nullopt,
-                   y = live ? live_number(b, *live) : std::nullopt;
-        if (!x || !y) continue;
-        is_told = true;
-        constexpr double kRounding = 1e-9;
-        if (std::abs(*x - *y) <= kRounding * (std::abs(*x) + std::abs(*y))) return true;
-      }
-    return !is_told;
-  }
-  /// Of the scene without those beside it, as it begins; nothing if it cannot be.
-  std::optional<LiveState> state_of_first(const Scene& scene) const {
-    Scene alone = scene;
-    alone.beside.clear();
-    alone.before = 0;
-    try {
-      return live_state(make_model(alone, Product::numbers, effort_), 0);
-    } catch (const std::domain_error&) {
-      return std::nullopt;
-    }
-  }
-
   void check_block(const Block& block, const Step& step, SourcePlace& place) {
     place = std::visit([](const auto& b) { return b.place; }, block);
     try {
@@ -178,7 +116,7 @@ class ClaimCheck {
   void check(const Other&, const Step&) {}
 
   void check(const Equation& equation, const Step& step) {
-    if (equation.math.root) check_braces(*equation.math.root, equation);
+    check_braces(equation, lesson_, source_, prover_, report_, effort_);
     if (!is_proved_as_printed(equation, step))
       statement_check_.check_display(equation, text_before(equation, step), [&] { return motions_of(step); });
     if (equation.math.live.empty() || !step.scene) return;
@@ -194,26 +132,6 @@ class ClaimCheck {
       return;
     if (model_of(step) != nullptr)
       number_check_.check_formula(equation.math, above, motion_of(step), proved != nullptr);
-  }
-
-  /// "kinetic energy" below a brace is what the brace holds.
-  void check_braces(const MathNode& node, const Equation& equation) {
-    using Kind = MathNode::Kind;
-    const bool is_labelled =
-        node.kind == Kind::scripts && without_groups(node.children[0]).kind == Kind::brace;
-    for (std::size_t script = 1; is_labelled && script < node.children.size(); ++script) {
-      Math label, inside;
-      label.root = std::make_shared<const MathNode>(node.children[script]);
-      inside.root = std::make_shared<const MathNode>(without_groups(node.children[0]).children.front());
-      const std::string words = words_of_formula(label);
-      const auto said = words.empty() ? std::nullopt : quantity_of_common_name(words, lesson_);
-      const auto held = said ? read_side(inside, lesson_.notation) : std::nullopt;
-      if (!held || (fit(said->type(), held->type()) && may_be_same(*said, *held))) continue;
-      report_.error(source_.place_of(std::min(equation.offset + node.span.begin, source_.text().size())),
-                    in_quotes(words) + " at a brace is " + said->text + ", and it holds something else",
-                    "say what it holds");
-    }
-    for (const MathNode& child : node.children) check_braces(child, equation);
   }
 
   /// The prose that stands directly before a display; null if there is none.
@@ -270,55 +188,11 @@ class ClaimCheck {
     check_text(ask.because, step);
     check_prompt(
         ask, lesson_, prover_, [&] { return motions_of(step); }, report_, effort_);
-    if (ask.derivation) check_derivation(ask, *ask.derivation);
+    if (ask.derivation) check_derivation(ask, *ask.derivation, prover_, report_, effort_);
     if (ask.task) check_state_task(ask, report_, effort_);
     const auto& answer = ask.expression;
     if (answer && prover_.settle({*answer, *answer}, Assumption::identity, ask.given) != Verdict::holds)
       report_.error(ask.place, "the answer of question " + in_quotes(ask.id) + " is nowhere defined");
-  }
-
-  /// Every line of it holds, and the last is the goal.
-  void check_derivation(const Ask& ask, const Derivation& derivation) {
-    const auto check_line = [&](const DerivedLine& line, const char* which) {
-      for (const Equality& link : line.links) {
-        spend(effort_, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(link));
-        if (is_provable(link) &&
-            prover_.settle(link, derivation.assumption, derivation.given) == Verdict::holds)
-          continue;
-        report_.error(ask.place,
-                      "the " + std::string(which) + " of question " + in_quotes(ask.id) +
-                          " does not hold: " + line.typed,
-                      "modulo = \"motion\" lets it use Euler's law, \"free\" that there is no torque");
-        return false;
-      }
-      return true;
-    };
-    bool all = check_line(derivation.start, "start") && check_line(derivation.goal, "goal");
-    for (const DerivedLine& fact : derivation.facts) all = all && check_line(fact, "fact");
-    for (const WorkedLine& worked : derivation.worked) all = all && check_line(worked.line, "solution");
-    Derivation unsolved = derivation;  // no line is decided by being one of the solution
-    unsolved.worked.clear();
-    for (const WorkedLine& worked : derivation.worked)
-      for (const Equality& link : worked.line.links)
-        if (all && !is_decided(link, unsolved, prover_))
-          report_.error(ask.place,
-                        "a line of the solution of question " + in_quotes(ask.id) +
-                            " would hold with any factor, for both its sides are 0: " + worked.line.typed,
-                        "write each term as what was put in for it, (I2 - I3) w1 w2 w3 for I1 w1 w1'");
-    if (all && !is_goal(derivation, derivation.worked.back().line, prover_))
-      report_.error(ask.place,
-                    "the last line of the solution of question " + in_quotes(ask.id) + " is not its goal",
-                    "it says the same in the goal's quantities");
-    const std::vector<WorkedLine>& worked = derivation.worked;
-    const auto first_goal = std::find_if(worked.begin(), worked.end(), [&](const WorkedLine& one) {
-      return is_goal(derivation, one.line, prover_);
-    });
-    if (all && first_goal < worked.end() - 1)
-      report_.warning(
-          ask.place,
-          "the solution of question " + in_quotes(ask.id) +
-              " is at its goal before its last line, and nobody sees the rest: " + first_goal->line.typed,
-          "leave out this line or those behind it, or make one line of them: a = b = c");
   }
 
   /// Each caption's numbers are those of its own scene; one that stands once below all has to be so of all.
@@ -472,14 +346,15 @@ class ClaimCheck {
   }
 
   void check(const Claim& claim, const Step& step) {
-    if (claim.origin == Claim::Origin::beside) check_against_formula(claim);
-    if (claim.origin == Claim::Origin::part) check_is_not_empty(claim);
+    if (claim.origin == Claim::Origin::beside)
+      check_against_formula(claim, equations_, lesson_, prover_, report_, effort_);
+    if (claim.origin == Claim::Origin::part) check_is_not_empty(claim, report_);
     check_live_numbers(claim, step);
-    check_kind(claim);
+    check_kind(claim, prover_, report_, effort_);
     for (const ClaimLine& line : claim.lines) {
       if (report_.is_full()) return;
       if (claim.kind == ClaimKind::measured)
-        check_measured(claim, line, step);
+        measure(claim, line, step);
       else if (const auto& judgement = line.judgement;
                judgement && judgement->verdict == Verdict::not_refuted)
         report_.warning(line.place, "this is not proved: " + judgement->message,
@@ -491,212 +366,11 @@ class ClaimCheck {
     }
   }
 
-  /// Whether a claim that is written beside a formula says what the formula says.
-  void check_against_formula(const Claim& claim) {
-    const auto named = std::find_if(equations_.begin(), equations_.end(),
-                                    [&](const Equation* e) { return e->id == claim.equation; });
-    if (named == equations_.end() || !(*named)->math.root) return;
-    const Math* above = named == equations_.begin() ? nullptr : &(*std::prev(named))->math;
-    const auto read = read_equation((*named)->math, lesson_.notation, above);
-    if (read)
-      compare(claim, *read);
-    else if (hidden_part(*(*named)->math.root) != nullptr)
-      report_.warning(claim.place,
-                      "a colour, a phantom or a space that goes back may hide a part of this formula",
-                      "mark parts with \\term{id}{…}, and leave spaces to TeX");
-    else if (says_no_equality(*(*named)->math.root))
-      report_.warning(claim.place, "the formula has a sign that no claim stands for",
-                      "claim what = < > \\le \\ge or \\approx says, and write the formula so");
-    else {
-      check_is_not_empty(claim);
-      compare_relations(claim, (*named)->math);
-      if (!claim.in_other_words) compare_letters(claim, (*named)->math);
-      if (!claim.in_other_words) compare_factors(claim, (*named)->math);
-    }
-  }
-
-  void compare(const Claim& claim, const ReadEquation& formula) {
-    std::vector<const EquationLink*> links;
-    for (const EquationSentence& sentence : formula.sentences)
-      for (const EquationLink& link : sentence.links) links.push_back(&link);
-    const std::string as_printed = "write ```math " + claim.equation + ' ' +
-                                   std::string(name_of(claim.kind)) + ", and leave out the claim";
-    std::set<const EquationLink*> claimed;
-    for (const ClaimLine& line : claim.lines) {
-      const std::size_t before = claimed.size();
-      for (const EquationLink* link : links)
-        if (line.relation == link->relation &&
-            (is_same(line.equality, link->equality, !is_order(line.relation)) ||
-             (line.conclusion && is_same(*line.conclusion, link->equality, true))))
-          claimed.insert(link);
-      if (claimed.size() == before && !claim.in_other_words)
-        report_.warning(line.place, "the formula does not say this", as_printed);
-    }
-    if (claimed.empty() && claim.in_other_words)
-      report_.warning(claim.place, "the formula can be read, and says something else", as_printed);
-    if (claimed.size() == links.size())
-      report_.warning(claim.place, "the formula itself can be proved, as it is printed", as_printed);
-    else if (!claimed.empty())
-      report_.warning(claim.place,
-                      "of the " + std::to_string(links.size()) + " equalities that the formula states only " +
-                          std::to_string(claimed.size()) + " are claimed",
-                      as_printed);
-  }
-
-  /// Whether two equalities have the same sides, in either order if that is all the same.
-  bool is_same(const Equality& a, const Equality& b, bool in_any_order) const {
-    spend(effort_, kClaimLineEvaluations + kClaimNodeEvaluations * (nodes_in(a) + nodes_in(b)));
-    const auto same = [&](const Expression& x, const Expression& y) {
-      if (!fit(x.type(), y.type())) return false;
-      const Equality sides{x, y};
-      return is_provable(sides) && prover_.settle(sides, Assumption::identity) == Verdict::holds;
-    };
-    return (same(a.left, b.left) && same(a.right, b.right)) ||
-           (in_any_order && same(a.left, b.right) && same(a.right, b.left));
-  }
-
-  /// What an author chose to claim, by hand or with \proved, is to say something.
-  void check_is_not_empty(const Claim& claim) {
-    for (const ClaimLine& line : claim.lines)
-      if (!line.conclusion && !line.is_number && is_mere_rearrangement(line.equality))
-        report_.error(line.place, "this says nothing: both sides are the same",
-                      "claim what the formula says, or let it stand without a kind");
-  }
-
-  /// "a > b" above "a = b" would be said to be proved.
-  void compare_relations(const Claim& claim, const Math& formula) {
-    std::set<Relation> unclaimed = relations_in(*formula.root);
-    for (const ClaimLine& line : claim.lines) unclaimed.erase(line.relation);
-    if (!unclaimed.empty())
-      report_.warning(claim.place,
-                      "the formula says " + in_quotes(sign_of(*unclaimed.begin())) +
-                          " of two things, and no line of the claim does",
-                      "claim what is printed");
-  }
-
-  void compare_letters(const Claim& claim, const Math& formula) {
-    const std::set<std::string> shown = letters_in(formula, lesson_.notation);
-    std::set<std::string> unseen, claimed;
-    const auto look = [&](const Equality& equality) {
-      for (const Expression* side : {&equality.left, &equality.right})
-        for (const std::string& letter : letters_in(*side)) {
-          claimed.insert(letter);
-          if (!shown.contains(letter)) unseen.insert(letter);
-        }
-    };
-    for (const ClaimLine& line : claim.lines) {
-      look(line.equality);
-      if (line.conclusion) look(*line.conclusion);
-    }
-    constexpr const char* kHint = "claim what is printed, or end the fence's line with in-other-words";
-    if (!unseen.empty())
-      return report_.warning(
-          claim.place, "the claim speaks of " + joined(unseen) + ", which the formula does not show", kHint);
-    std::set<std::string> unclaimed = shown;
-    for (const std::string& letter : claimed) unclaimed.erase(letter);
-    unclaimed.merge(operators_in(*formula.root));
-    if (!unclaimed.empty())
-      report_.warning(claim.place,
-                      "the formula shows " + joined(unclaimed) + ", of which the claim does not speak",
-                      kHint);
-  }
-
-  /// "T = w·L/3" above "T = w·L/2": the letters are the same.
-  void compare_factors(const Claim& claim, const Math& formula) {
-    const std::set<double> shown = factors_in(*formula.root);
-    std::set<double> claimed;
-    const auto look = [&](const Expression& side) {
-      for (const ExpressionNode& node : side.nodes)
-        if (node.operation == Operation::number) add_factor(node.number.value, claimed);
-    };
-    for (const ClaimLine& line : claim.lines)
-      for (const Equality* one : {&line.equality, line.conclusion ? &*line.conclusion : nullptr}) {
-        if (one == nullptr) continue;
-        look(one->left);
-        look(one->right);
-      }
-    if (shown != claimed)
-      report_.warning(claim.place, "the formula has other numbers than the claim",
-                      "claim what is printed, or end the fence's line with in-other-words");
-  }
-
-  static std::string joined(const std::set<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text;
-  }
-
-  /// What a definition defines stands alone on a side; a law, and what is measured, could be otherwise.
-  void check_kind(const Claim& claim) {
-    const auto is_name = [](const Expression& side) {
-      return std::all_of(side.text.begin(), side.text.end(),
-                         [](unsigned char c) { return std::isalnum(c) || c == '_'; }) &&
-             std::isalpha(static_cast<unsigned char>(side.text.front()));
-    };
-    const bool is_all_identity =
-        claim.kind == ClaimKind::measured &&
-        std::all_of(claim.lines.begin(), claim.lines.end(),
-                    [&](const ClaimLine& line) { return !line.conclusion && is_identity(line.equality); });
-    if (is_all_identity && !claim.lines.empty())
-      report_.error(claim.place,
-                    "this measures nothing: it holds by what its quantities are, on every motion",
-                    "its kind is identity");
-    for (const ClaimLine& line : claim.lines) {
-      const Equality& sides = line.equality;
-      if (claim.kind == ClaimKind::definition && !line.goes_on && line.is_side_by_side &&
-          !is_name(sides.left) && !is_name(sides.right))
-        report_.error(line.place, "this defines nothing: no side is a quantity alone",
-                      "its kind is identity, or write what it defines alone on a side");
-      if (claim.kind == ClaimKind::law && !line.goes_on && is_identity(sides))
-        report_.error(line.place, "this is no law: it holds by what its quantities are",
-                      "its kind is identity, or definition");
-    }
-  }
-
-  bool is_identity(const Equality& sides) const {
-    spend(effort_, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(sides));
-    return is_provable(sides) && prover_.settle(sides, Assumption::identity) == Verdict::holds;
-  }
-
-  void check_measured(const Claim& claim, const ClaimLine& line, const Step& step) {
-    if (!step.scene) {
+  void measure(const Claim& claim, const ClaimLine& line, const Step& step) {
+    if (!step.scene)
       report_.error(line.place, "a measured claim needs a scene to be measured on");
-      return;
-    }
-    const SceneModel* model = model_of(step);
-    if (!model) return;
-    for (const double t_s : {0.0, model->span_s}) {
-      const auto live = claim.given.empty() ? std::nullopt : live_state(*model, t_s);
-      if (!live || holds_on(claim.given, *live)) continue;
-      report_.error(line.place, "this is measured on a motion on which what is given does not hold",
-                    "show a body and a torque of which it does, or leave out \"given\"");
-      return;
-    }
-    constexpr double kLeastTurn_rad = 0.01;
-    if (model->span_s * model->scene.w0_B.norm() < kLeastTurn_rad) {
-      report_.error(line.place, "this measures nothing: the motion lasts " + digits(model->span_s, 3) + " s",
-                    "give the scene a longer duration");
-      return;
-    }
-    const auto measured = measure(line.equality, line.within, *model, claim.given);
-    if (!measured)
-      report_.error(line.place, "this cannot be measured: the motion or a side has no value somewhere");
-    else if (measured->tolerance > kDecisive)
-      report_.error(line.place,
-                    "this measures nothing: allowed are " + digits(measured->tolerance, 3) + " of the terms",
-                    line.within ? "at most " + digits(kDecisive, 3) + " decides anything"
-                                : "shorten the step of the motion");
-    else if (!measured->decides())
-      report_.error(line.place,
-                    "this measures nothing: the terms cancel down to " + digits(measured->side, 3) +
-                        " of their size, and " + digits(measured->allowed, 3) + " of it is allowed",
-                    line.within ? "a hundredth of the sides decides: write within " +
-                                      digits(0.9 * kDecisive * measured->side, 1)
-                                : "prove the claim, or measure it on a motion where its sides are larger");
-    else if (!measured->holds())
-      report_.error(line.place, "the claim (measured) fails: at t = " + digits(measured->t_s, 3) +
-                                    " s both sides differ by " + digits(measured->residual, 3) +
-                                    " of their terms, allowed are " + digits(measured->tolerance, 3));
+    else if (const SceneModel* model = model_of(step))
+      check_measured(claim, line, *model, report_);
   }
 
   /// Null if the scene cannot be: whoever checks the scenes says so.

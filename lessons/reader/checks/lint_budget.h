@@ -4,6 +4,7 @@
 // passes on one machine passes on all.
 #pragma once
 
+#include "lessons/claims/expressions/expression.h"
 #include "lessons/diagnostics/diagnostic.h"
 
 #include <cstdint>
@@ -24,6 +25,10 @@ inline constexpr std::int64_t kGlyphEvaluations = 30;
 /// inequality or a condition written out in symbols.
 inline constexpr std::int64_t kClaimLineEvaluations = 5'000, kClaimNodeEvaluations = 100,
                               kVainSearchEvaluations = 1'000'000, kWrittenOutEvaluations = 200'000;
+
+inline std::int64_t nodes_in(const Equality& equality) {
+  return static_cast<std::int64_t>(equality.left.nodes.size() + equality.right.nodes.size());
+}
 
 /// Of the first place that was no longer checked.
 inline Diagnostic too_long_to_check(std::string_view file, SourcePlace place) {

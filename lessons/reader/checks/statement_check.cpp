@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/checks/statement_check.h"
 
+#include "base/ascii.h"
 #include "base/numbers.h"
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/claims/live_claims.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/questions/choice_list.h"
 
+#include "base/ascii.h"
 #include "base/sha256.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace polhode {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// What a line of a list opens with.
 struct Marker {

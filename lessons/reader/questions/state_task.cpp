@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/questions/state_task.h"
 
-#include "lessons/claims/proof/small_states.h"
+#include "lessons/claims/proof/counterexample_text.h"
 #include "render/scene/model/model.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/typeset/math/lexer.h"
 
+#include "base/ascii.h"
 #include "render/typeset/characters.h"
 #include "render/typeset/math/commands.h"
 
@@ -11,8 +12,6 @@ namespace {
 
 /// Tokens that all macros of a formula together may stand for.
 constexpr std::size_t kMostMadeTokens = 4 * kMaxMathBytes;
-
-bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 
 SourceSpan span_of(std::size_t begin, std::size_t end) {
   return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};

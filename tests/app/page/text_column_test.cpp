@@ -73,7 +73,7 @@ class Column : public testing::TestWithParam<Sizes> {
   double width() const { return GetParam().width; }
   double em() const { return GetParam().em; }
   TextColumn column() const {
-    return {width(), em(), Theme::paper, Profile::page, symbols_, numbers_, test_fonts()};
+    return {width(), em(), Theme::paper, Profile::page, symbols, numbers, test_fonts()};
   }
   const PageColors& colors() const { return colors_of(Theme::paper); }
 
@@ -92,8 +92,8 @@ class Column : public testing::TestWithParam<Sizes> {
     return pieces;
   }
 
-  std::vector<MathSymbol> symbols_ = symbols_of(lesson(), Theme::paper);
-  PageNumbers numbers_{lesson(), test_fonts()};
+  std::vector<MathSymbol> symbols = symbols_of(lesson(), Theme::paper);
+  PageNumbers numbers{lesson(), test_fonts()};
 };
 
 TEST_P(Column, PiecesKeepToTheirHeightAndTheColumn) {
@@ -126,13 +126,13 @@ TEST_P(Column, PiecesKeepToTheirHeightAndTheColumn) {
 
 // A formula that is a little too long is set smaller on one line; a longer one is broken at full size.
 TEST_P(Column, AFormulaIsBrokenOnlyWhereItWouldBecomeSmall) {
-  const TextColumn wide{1e4, em(), Theme::paper, Profile::page, symbols_, numbers_, test_fonts()};
+  const TextColumn wide{1e4, em(), Theme::paper, Profile::page, symbols, numbers, test_fonts()};
   Equation equation = blocks_of<Equation>()[0];
   equation.tag.clear();
   const double whole = wide.equation(equation, Focus::none, {}).value().sheet.texts.front().list.width;
   const auto in = [&](double part) {
     const TextColumn column{part * whole, em(),     Theme::paper, Profile::page,
-                            symbols_,     numbers_, test_fonts()};
+                            symbols,     numbers, test_fonts()};
     return column.equation(equation, Focus::none, {}).value();
   };
   EXPECT_EQ(in(1.01).formula_scale, 1.0);

@@ -12,18 +12,16 @@
 namespace polhode {
 namespace {
 
-using testing::equality;
 using ::testing::HasSubstr;
-using ::testing::Not;
 using testing::TextReport;
 
 const Vocabulary& words() {
-  static const Vocabulary one = [] {
+  static const Vocabulary kOne = [] {
     Vocabulary vocabulary;
     vocabulary.add_constant("mgl", 2.5, "mgl");
     return vocabulary;
   }();
-  return one;
+  return kOne;
 }
 
 Expression expression(const std::string& text) {
@@ -44,8 +42,8 @@ Given given(const Texts& settings) {
 }
 
 const Prover& prover() {
-  static const Prover one;
-  return one;
+  static const Prover kOne;
+  return kOne;
 }
 
 Verdict verdict(const std::string& left, const std::string& right, ClaimKind kind, const Given& given) {
@@ -55,16 +53,16 @@ Verdict verdict(const std::string& left, const std::string& right, ClaimKind kin
 }
 
 const Given& symmetric() {
-  static const Given one = given({{"I2", "I1"}});
-  return one;
+  static const Given kOne = given({{"I2", "I1"}});
+  return kOne;
 }
 const Given& heavy() {
-  static const Given one = given({{"N", "mgl*cross(ez, e3)"}});
-  return one;
+  static const Given kOne = given({{"N", "mgl*cross(ez, e3)"}});
+  return kOne;
 }
 const Given& symmetric_and_heavy() {
-  static const Given one = given({{"I2", "I1"}, {"N", "mgl*cross(ez, e3)"}});
-  return one;
+  static const Given kOne = given({{"I2", "I1"}, {"N", "mgl*cross(ez, e3)"}});
+  return kOne;
 }
 
 struct Case {

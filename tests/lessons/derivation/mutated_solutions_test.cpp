@@ -4,6 +4,7 @@
 // is dropped.
 #include "lessons/claims/expressions/expression_variants.h"
 #include "lessons/derivation/answer_reasons.h"
+#include "lessons/notation/typed/expression_typing.h"
 #include "lessons/reader/questions/line_notation.h"
 #include "tests/lessons/support.h"
 

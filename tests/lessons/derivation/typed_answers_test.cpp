@@ -2,7 +2,8 @@
 // Every question of every lesson with its right answer in several typings, and with wrong ones that come
 // naturally: no wrong one is right, no right one wrong, and the reason is that of the slip.
 #include "lessons/derivation/answer_reasons.h"
-#include "lessons/notation/typed_formula.h"
+#include "lessons/notation/typed/expression_typing.h"
+#include "lessons/notation/typed/typed_formula.h"
 #include "lessons/reader/questions/line_notation.h"
 #include "lessons/reader/questions/number_question.h"
 #include "lessons/reader/questions/state_task.h"

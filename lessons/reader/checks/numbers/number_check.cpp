@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/checks/numbers/number_check.h"
 
+#include "base/ascii.h"
 #include "base/numbers.h"
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/proof/proof.h"

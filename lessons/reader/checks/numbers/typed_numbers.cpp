@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/checks/numbers/typed_numbers.h"
 
+#include "base/ascii.h"
 #include "base/numbers.h"
 #include "lessons/reader/text_units.h"
 

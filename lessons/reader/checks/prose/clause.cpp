@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/checks/prose/clause.h"
 
+#include "base/ascii.h"
 #include "lessons/reader/text_units.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/checks/prose/quantity_words.h"
 
+#include "base/ascii.h"
 #include "lessons/claims/motion_words.h"
 #include "lessons/notation/tex_sides.h"
 #include "lessons/reader/text_units.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/checks/prose/said_of_formula.h"
 
+#include "base/ascii.h"
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/notation/tex_sides.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/checks/prose/sentence.h"
 
+#include "base/ascii.h"
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/reader/checks/formula_signs.h"

@@ -5,7 +5,7 @@
 #include "app/session/scene_edits.h"
 #include "tests/app/publish/browser.h"
 #include "tests/app/publish/live/web_folder.h"
-#include "tests/app/publish/reader/example_edition.h"
+#include "tests/app/publish/text_edition/example_edition.h"
 #include "tests/support/paths.h"
 
 #include <fmt/format.h>

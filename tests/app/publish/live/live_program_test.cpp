@@ -3,7 +3,7 @@
 #include "app/publish/live/live_program.h"
 
 #include "app/publish/html_text.h"
-#include "tests/app/publish/reader/example_edition.h"
+#include "tests/app/publish/text_edition/example_edition.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>

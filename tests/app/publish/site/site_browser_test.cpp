@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The index of a site in a real browser: how it fits, and what its search finds.
 #include "tests/app/publish/browser.h"
-#include "tests/app/publish/reader/example_edition.h"
+#include "tests/app/publish/text_edition/example_edition.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

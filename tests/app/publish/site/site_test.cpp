@@ -3,7 +3,7 @@
 #include "app/publish/site/site_index.h"
 #include "app/publish/site/site_record.h"
 #include "render/image/png.h"
-#include "tests/app/publish/reader/example_edition.h"
+#include "tests/app/publish/text_edition/example_edition.h"
 #include "tests/app/run_program.h"
 #include "tests/support/xml.h"
 

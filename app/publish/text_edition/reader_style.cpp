@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "app/publish/reader/reader_style.h"
+#include "app/publish/text_edition/reader_style.h"
 
 #include "app/page/page_theme.h"
 #include "app/publish/html_frame.h"
-#include "app/publish/reader/lesson_html.h"
-#include "app/publish/reader/reader_assets.h"
+#include "app/publish/text_edition/lesson_html.h"
+#include "app/publish/text_edition/reader_assets.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/publish/reader/reader_page.h"
+#include "app/publish/text_edition/reader_page.h"
 
 #include "app/export/picture_metadata.h"
 #include "app/narration/number_text.h"
@@ -7,9 +7,9 @@
 #include "app/narration/verdict_row.h"
 #include "app/publish/html_frame.h"
 #include "app/publish/live/live_assets.h"
-#include "app/publish/reader/question_html.h"
-#include "app/publish/reader/reader_assets.h"
-#include "app/publish/reader/reader_style.h"
+#include "app/publish/text_edition/question_html.h"
+#include "app/publish/text_edition/reader_assets.h"
+#include "app/publish/text_edition/reader_style.h"
 #include "base/files/left_behind.h"
 #include "base/interrupt.h"
 #include "lessons/reader/markdown/footnotes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/publish/reader/lesson_html.h"
+#include "app/publish/text_edition/lesson_html.h"
 
 #include "base/utf8.h"
 #include "lessons/reader/markdown/footnotes.h"

@@ -12,18 +12,16 @@
 //   rate     dL/dt, d(…)/dt, d/dt …, ddt(…) as seen from space; d*L/dt, d*/dt …, star(…) from the body;
 //            dw1, w1'
 //   function cross(a, b), dot(a, b), norm2(a), norm(a), comp(a, 2), inertia(a)
-//   name     omega w ω L N A p v F T m, I (the tensor), e; indices 1 2 3 or x y z behind them, w1, w_1,
-//   ω₁;
+//   name     omega w ω L N A p v F T m, I (the tensor), e; indices 1 2 3 or x y z behind them, w1, w_1, ω₁;
 //            and those of the lesson's symbols
 //
 // Products without a sign bind more strongly than "x" and ".", as in print. A dot between digits is that of a
 // number. Blanks do not matter but around "x" and between names.
 #pragma once
 
-#include "lessons/claims/expressions/expression.h"
+#include "lessons/notation/typed/typed_tokens.h"
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,15 +30,8 @@
 
 namespace polhode {
 
-/// Bytes of a line that is typed, and brackets in brackets: what is longer or deeper is refused.
-inline constexpr std::size_t kMaxTypedBytes = 400;
+/// Brackets in brackets: what is deeper is refused.
 inline constexpr int kMaxTypedNesting = 16;
-
-/// What is wrong with what was typed.
-struct TypedFault {
-  std::size_t at = 0;  ///< byte of the line
-  std::string message, hint;
-};
 
 struct TypedFormula {
   /// Of the whole line; where there is a fault, of what stands before it and, upright, the rest as it is
@@ -52,16 +43,10 @@ struct TypedFormula {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> marks;
 };
 
-/// Names of the lesson's symbols and how they are printed.
-using TypedNames = std::map<std::string, std::string, std::less<>>;
-
 /// Linear in the line; some 10 µs.
 TypedFormula typed_formula(std::string_view line, const TypedNames& names);
 
 /// The byte of the line that a byte of the TeX comes from.
 std::size_t typed_offset(const TypedFormula& formula, std::size_t tex_offset);
-
-/// A part of an expression, from one of its nodes down, as one would type it: "omega x (I omega)".
-std::string typing_of(const Expression& expression, int node);
 
 }  // namespace polhode

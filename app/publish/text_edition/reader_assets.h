@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of assets/reader/, compiled in by CMake. Internal to app/publish/.
+// The files of assets/text_edition/, compiled in by CMake. Internal to app/publish/.
 #pragma once
 
 namespace polhode::reader_assets {

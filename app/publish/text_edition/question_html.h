@@ -3,7 +3,7 @@
 // with the page's script choices, orders and numbers are judged on the spot, and nothing of it is kept.
 #pragma once
 
-#include "app/publish/reader/lesson_html.h"
+#include "app/publish/text_edition/lesson_html.h"
 
 #include <string>
 

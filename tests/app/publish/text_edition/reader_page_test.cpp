@@ -5,7 +5,7 @@
 #include "app/page/loaded_lesson.h"
 #include "app/publish/html_text.h"
 #include "tests/app/publish/example_deck.h"
-#include "tests/app/publish/reader/example_edition.h"
+#include "tests/app/publish/text_edition/example_edition.h"
 #include "tests/support/paths.h"
 #include "tests/support/xml.h"
 

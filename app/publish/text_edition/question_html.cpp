@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/publish/reader/question_html.h"
+#include "app/publish/text_edition/question_html.h"
 
 #include "lessons/claims/expressions/expression_tex.h"
 #include "lessons/derivation/derivation.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/notation/typed_formula.h"
+#include "lessons/notation/typed/expression_typing.h"
+#include "lessons/notation/typed/typed_formula.h"
 
 #include "lessons/claims/proof/proof.h"
 #include "lessons/notation/tex_equation.h"

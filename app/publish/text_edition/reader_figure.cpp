@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/publish/reader/reader_figure.h"
+#include "app/publish/text_edition/reader_figure.h"
 
 #include "app/narration/alt_text.h"
 #include "app/page/live_numbers.h"

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "app/publish/live/live_program.h"
-#include "app/publish/reader/reader_figure.h"
+#include "app/publish/text_edition/reader_figure.h"
 #include "base/files/atomic_file.h"
 #include "base/outcome.h"
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Whether a claim is of the kind that its author gave it.
+#pragma once
+
+#include "lessons/claims/claim.h"
+#include "lessons/claims/proof/proof.h"
+#include "lessons/diagnostics/report.h"
+#include "physics/effort.h"
+#include "render/scene/model/model.h"
+
+namespace polhode {
+
+/// What a definition defines stands alone on a side; a law, and what is measured, could be otherwise.
+void check_kind(const Claim& claim, const Prover& prover, Report& report, const Effort& effort);
+
+/// A line that is measured holds on the motion, within what decides anything.
+void check_measured(const Claim& claim, const ClaimLine& line, const SceneModel& model, Report& report);
+
+}  // namespace polhode
