@@ -321,6 +321,7 @@ TEST_F(LiveInBrowser, ALinkToASlideIsAScenario) {
 
 TEST_F(LiveInBrowser, ASlideThatCannotBePlayedStaysAndSaysWhy) {
   browser_->open(deck_page());
+  EXPECT_EQ(browser_->wait_for("document.getElementById('place').textContent", "1 / 3"), "1 / 3");
   value_of("HTMLCanvasElement.prototype.getContext = () => null, 0");
   value_of("document.querySelector('.live-press').click(), 0");
   EXPECT_EQ(browser_->wait_for(
@@ -372,6 +373,10 @@ TEST_F(LiveInBrowser, TheSandboxThrowsComputesAndIsShared) {
   call("'set_time', 3");
   EXPECT_GT(state()["error"]["attitude"], 0.01);
   EXPECT_EQ(browser_->wait_for("document.querySelectorAll('.trade tbody tr').length", 6), 6);
+  // A method that cannot follow the motion as far is not called right.
+  EXPECT_EQ(value_of("[...document.querySelectorAll('.trade tbody tr')].filter(r => "
+                     "r.cells[2].textContent === '0°').map(r => r.cells[0].textContent)"),
+            Json({"exact"}));
   for (const int width : {320, 360, 800, 1280}) {
     browser_->resize(width, 740);
     EXPECT_LE(value_of("document.documentElement.scrollWidth").get<int>(), width);
