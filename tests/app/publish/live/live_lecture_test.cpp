@@ -173,8 +173,8 @@ TEST_F(LiveLecture, EachFigureComesAliveUnderFingersOnATelephone) {
     browser_->swipe(canvas[0] - 0.3 * canvas[2], canvas[0] - 0.1 * canvas[2], canvas[1] - 0.35 * canvas[3]);
     EXPECT_NE(held(), before) << "a finger moves it";
     const Json zoom = value_of("P().state().camera.zoom");
-    browser_->spread(Vec2(canvas[0], canvas[1]), 80, 140);
-    EXPECT_NE(value_of("P().state().camera.zoom"), zoom) << "two fingers enlarge it";
+    browser_->spread(Vec2(canvas[0], canvas[1]), 140, 80);
+    EXPECT_NE(value_of("P().state().camera.zoom"), zoom) << "two fingers make it smaller";
     const auto close = brought_to_the_middle(button(i, "Picture"));
     browser_->tap(close[0], close[1]);
     EXPECT_EQ(browser_->wait_for("document.querySelectorAll('canvas').length", 0), 0);
