@@ -247,8 +247,8 @@
       let reached = 0;
       while (performance.now() - began < kMeasured_ms && meter.call("set_time", reached + long)) reached += long;
       const took = performance.now() - began;
-      meter.call("set_time", long);
-      const wrong = meter.state().error?.attitude;
+      // Where a method breaks down on the way, time stays where it was.
+      const wrong = meter.call("set_time", long) ? meter.state().error?.attitude : NaN;
       made.push({ cost: reached > 0 ? took * 60 / reached : NaN, wrong: wrong ?? NaN });
     }
     const cells = (one) => [number(one.cost, 2) + " ms", Number.isFinite(one.wrong) ? number(one.wrong / kDegree, 2) + "°" : "breaks down"];

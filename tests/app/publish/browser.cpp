@@ -244,6 +244,24 @@ void Browser::swipe(double from_x, double to_x, double y) {
   touch("touchEnd", Json::array());
 }
 
+void Browser::tap(double x, double y) {
+  call("Input.dispatchTouchEvent", {{"type", "touchStart"}, {"touchPoints", {{{"x", x}, {"y", y}}}}});
+  call("Input.dispatchTouchEvent", {{"type", "touchEnd"}, {"touchPoints", Json::array()}});
+}
+
+void Browser::spread(const Vec2& about, double from_px, double to_px) {
+  const auto touch = [&](const char* type, double apart) {
+    call("Input.dispatchTouchEvent", {{"type", type},
+                                      {"touchPoints",
+                                       {{{"x", about.x() - apart / 2}, {"y", about.y()}, {"id", 0}},
+                                        {{"x", about.x() + apart / 2}, {"y", about.y()}, {"id", 1}}}}});
+  };
+  touch("touchStart", from_px);
+  constexpr int kMoves = 3;
+  for (int i = 1; i <= kMoves; ++i) touch("touchMove", from_px + (to_px - from_px) * i / kMoves);
+  call("Input.dispatchTouchEvent", {{"type", "touchEnd"}, {"touchPoints", Json::array()}});
+}
+
 void Browser::drag(const Vec2& from, const Vec2& to) {
   const auto mouse = [&](const char* type, const Vec2& at, int buttons) {
     call("Input.dispatchMouseEvent", {{"type", type},
@@ -268,6 +286,12 @@ void Browser::prefer(const std::string& color_scheme) {
 void Browser::resize(int width, int height) {
   call("Emulation.setDeviceMetricsOverride",
        {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}});
+}
+
+void Browser::become_phone(int width, int height) {
+  call("Emulation.setDeviceMetricsOverride",
+       {{"width", width}, {"height", height}, {"deviceScaleFactor", 2}, {"mobile", true}});
+  call("Emulation.setTouchEmulationEnabled", {{"enabled", true}, {"maxTouchPoints", 5}});
 }
 
 Json Browser::value_of(const std::string& expression) {

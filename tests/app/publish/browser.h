@@ -30,10 +30,16 @@ class Browser {
   void click(double x, double y);
   /// A finger that goes from one place to another.
   void swipe(double from_x, double to_x, double y);
+  /// A finger put down and lifted.
+  void tap(double x, double y);
+  /// Two fingers beside this place, moved apart.
+  void spread(const Vec2& about, double from_px, double to_px);
   /// The left button pressed, moved so often on a straight line, and let go.
   void drag(const Vec2& from, const Vec2& to);
   static constexpr int kMovesOfADrag = 5;
   void resize(int width, int height);
+  /// A telephone of this size, with two pixels to each of CSS, whose reader has fingers alone.
+  void become_phone(int width, int height);
   /// Pages opened from now on run no script; value_of() does.
   void forbid_scripts();
   /// "light" or "dark", as its user prefers.

@@ -321,6 +321,7 @@ TEST_F(LiveInBrowser, ALinkToASlideIsAScenario) {
 
 TEST_F(LiveInBrowser, ASlideThatCannotBePlayedStaysAndSaysWhy) {
   browser_->open(deck_page());
+  EXPECT_EQ(browser_->wait_for("document.getElementById('place').textContent", "1 / 3"), "1 / 3");
   value_of("HTMLCanvasElement.prototype.getContext = () => null, 0");
   value_of("document.querySelector('.live-press').click(), 0");
   EXPECT_EQ(browser_->wait_for(
@@ -360,6 +361,11 @@ TEST_F(LiveInBrowser, TheSandboxThrowsComputesAndIsShared) {
   browser_->open(page);
   wait_for_picture();
   EXPECT_EQ(browser_->wait_for(std::string(kView) + ".program.state().t > 0.7", true), true) << "it plays";
+  EXPECT_EQ(browser_->wait_for("document.querySelectorAll('.trade tbody tr').length", 6), 6);
+  // Explicit Euler does not come as far as is compared, and is not called right.
+  EXPECT_EQ(value_of("[...document.querySelectorAll('.trade tbody tr')].filter(r => "
+                     "r.cells[2].textContent === '0°').map(r => r.cells[0].textContent)"),
+            Json({"exact"}));
   value_of("document.querySelector('input[value=book]').click(), 0");
   EXPECT_EQ(state()["body"], "book");
   call("'set_playing', 0");
