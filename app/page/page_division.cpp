@@ -19,7 +19,7 @@ constexpr double kCostOfQuestion = 0.35, kCostOfPrediction = 1.3;
 double cost_of_questions(const Step& step) {
   double cost = 0.0;
   for (const Ask* ask : blocks_of<Ask>(step))
-    cost = std::max(cost, ask->plays ? kCostOfPrediction : kCostOfQuestion);
+    cost = std::max(cost, ask->type == Ask::Type::predict ? kCostOfPrediction : kCostOfQuestion);
   return cost;
 }
 
