@@ -370,7 +370,7 @@ Command export_command() {
         offer(export_words().what)},
        {"--profile", &typed->profile, "of pages: slides to project, or page to read (default: slides)",
         "KIND", false, offer(export_words().profile)},
-       {"--each", &typed->each, "for each stage, step, frame or page a picture (default: step, page, else stage)",
+       {"--each", &typed->each, "a picture of each stage, step, frame or page (slides: step, pages: page)",
         "KIND", false, offer(export_words().each)},
        {"--size", &typed->size, "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)", "WxH",
         false, offer(export_words().size)},

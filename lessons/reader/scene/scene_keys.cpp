@@ -676,7 +676,7 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        [](const Scene&) { return std::string(); },
        Row::Speaks::of_all},
       {{"from",
-        R"(the formula that the slide recalls at its foot, "from before": `"EQUATION"` of this stage, `"STAGE/EQUATION"`, or `"none"`; of this step alone)",
+        R"(the formula that the slide recalls at its foot, "from before", and the page to read at its top: `"EQUATION"` of this stage, `"STAGE/EQUATION"`, or `"none"`; of this step alone)",
         "the last formula of the stage's earlier steps"},
        &SceneKeys::from,
        [](const Scene&) { return std::string(); },
