@@ -680,7 +680,9 @@ class ScaledText {
   /// beside a formula: pages have both. That it is not the formula itself the slide says.
   ColumnPiece verdict(const Claim& claim, const Step& step, bool is_present) const {
     const Scene* scene = scene_on_page(step);
-    const bool has_numbers = !is_slide() && is_present && scene && can_be_shown(claim, *scene);
+    // Numbers of other quantities than the formula's would be taken for those of its sides.
+    const bool has_numbers =
+        !is_slide() && is_present && scene && !claim.in_other_words && can_be_shown(claim, *scene);
     VerdictRow row = parts_.verdicts.at(&claim);
     if (is_slide() && claim.kind == ClaimKind::measured && row.certainty == Certainty::stated)
       row.note.clear();

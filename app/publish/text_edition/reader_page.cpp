@@ -255,7 +255,7 @@ class ReaderText {
 
   /// What both sides come to at the moment of the figure.
   std::string live_html(const Step& step, const Claim& claim, const SceneModel* model) const {
-    if (model == nullptr || !can_be_shown(claim, *step.scene)) return {};
+    if (model == nullptr || claim.in_other_words || !can_be_shown(claim, *step.scene)) return {};
     const double t_s = still_time_s(*step.scene);
     const auto live = is_computable(*model, t_s) ? live_state(*model, t_s) : std::nullopt;
     if (!live) return {};

@@ -603,6 +603,25 @@ TEST(Page, EachStepWithAFigureHasTheNumbersOfItsOwn) {
   EXPECT_LE(missing(two), 3) << "likewise, and the formula of the step before with its kind";
 }
 
+// 2026-11-27: numbers of another identity stood below a matrix, and were read as its columns.
+TEST(Page, AClaimInOtherWordsHasNoNumbers) {
+  const auto texts_with = [](const std::string& words) {
+    const Lesson lesson =
+        lesson_of("# A stage {one}\n```math e\n2T = I_1 + I_2\n```\n```claim e identity" + words +
+                  "\n2*T = dot(omega, L)\n```\n\n```scene\nshow = [\"shape\"]\n```\n");
+    const SceneModel model = make_model(*lesson.stages[0].steps[0].scene, Product::page);
+    return column_of(compose_page({.lesson = lesson,
+                                   .stage = lesson.stages[0],
+                                   .step = 1,
+                                   .model = &model,
+                                   .size = {1024, 768}},
+                                  test_fonts())
+                         .value())
+        .size();
+  };
+  EXPECT_EQ(texts_with(" in-other-words") + 1, texts_with(""));
+}
+
 TEST(Page, AHighlightedTermIsMarkedBehind) {
   const Lesson lesson = lesson_of(kHighlighted);
   const Checked page = text_page(lesson, 1);
