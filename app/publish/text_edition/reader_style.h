@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The style of pages to read: assets/text_edition/reader.css, with colours for light and dark as its reader has it.
+// The style of pages to read: assets/text_edition/reader.css, with colours for light and dark as its reader
+// has it.
 #pragma once
 
 #include "lessons/reader/lesson.h"

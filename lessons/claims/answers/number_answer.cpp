@@ -253,8 +253,7 @@ class NumberJudge {
     const bool is_alone = answer_.unit.empty() || answer_.unit == "1";
     const std::string in =
         is_alone ? "a number without a unit is asked for" : "an answer in " + answer_.unit + " is asked for";
-    std::string of_another_kind =
-        "the unit is of another kind: " + in + ", and this is in " + typed_.unit;
+    std::string of_another_kind = "the unit is of another kind: " + in + ", and this is in " + typed_.unit;
     if (unit.scaled.dimension != asked_.scaled.dimension) return of_another_kind;
     if (unit.is_percent && !is_alone) return of_another_kind;
     if (unit.cycles == 1 && asked_.angles == 1)

@@ -131,8 +131,7 @@ TEST_P(Column, AFormulaIsBrokenOnlyWhereItWouldBecomeSmall) {
   equation.tag.clear();
   const double whole = wide.equation(equation, Focus::none, {}).value().sheet.texts.front().list.width;
   const auto in = [&](double part) {
-    const TextColumn column{part * whole, em(),     Theme::paper, Profile::page,
-                            symbols,     numbers, test_fonts()};
+    const TextColumn column{part * whole, em(), Theme::paper, Profile::page, symbols, numbers, test_fonts()};
     return column.equation(equation, Focus::none, {}).value();
   };
   EXPECT_EQ(in(1.01).formula_scale, 1.0);

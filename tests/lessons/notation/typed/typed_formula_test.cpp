@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/notation/typed/expression_typing.h"
 #include "lessons/notation/typed/typed_formula.h"
 
 #include "lessons/claims/proof/proof.h"
 #include "lessons/notation/tex_equation.h"
+#include "lessons/notation/typed/expression_typing.h"
 #include "tests/lessons/support.h"
 
 #include <gmock/gmock.h>
