@@ -33,7 +33,7 @@ class PageMaker : public PictureMaker {
     const auto& [shown, words] = *content;
     PictureDescription description{words->alt, words->tex, {}, {}, context_.options.size};
     for (const FigureCell& cell : figures_on_page(request_of(picture, shown))) {
-      const Scene& scene = *cell.step->scene;
+      const Scene& scene = cell.model->scene;  // which a hand may have changed
       description.alt +=
           " Figure: " + alt_text(*cell.model, speech_.words_of_scenes(*cell.step, scene), cell.t_s);
       if (const std::string plots = speech_.words_of_plots(scene); !plots.empty())
