@@ -238,6 +238,7 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
                  .word = std::string(word_of(claim.kind)),
                  .note = words_of(claim.given, claim.kind),
                  .claimed = {}};
+  if (claim.origin == Claim::Origin::part) row.claimed_is = "in part";
   const auto is_instead = [&row](Certainty certainty, std::string word, std::string note) {
     row.certainty = certainty;
     row.word = std::move(word);

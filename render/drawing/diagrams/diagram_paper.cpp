@@ -96,6 +96,7 @@ DiagramPaper::DiagramPaper(const Vec2& extent, const PixelBox& box, const Diagra
                            const Fonts& fonts)
     : style_(style),
       fonts_(fonts),
+      extent_(extent),
       unit_(std::min({style.type_size, box.width() / extent.x(), box.height() / extent.y()})),
       corner_(box.x0 + 0.5 * (box.width() - unit_ * extent.x()),
               box.y0 + 0.5 * (box.height() - unit_ * extent.y())) {

@@ -60,6 +60,7 @@ class DiagramPaper {
   DiagramPaper(const Vec2& extent, const PixelBox& box, const DiagramStyle& style, const Fonts& fonts);
 
   const DiagramStyle& style() const { return style_; }
+  const Vec2& extent() const { return extent_; }
   Color ink_of(const Role& role) const { return on_its_paper(role.ink); }
   Color paint_of(const Role& role) const { return on_its_paper(role.paint); }
   /// Of what belongs to axis i = 0, 1, 2.
@@ -100,6 +101,7 @@ class DiagramPaper {
 
   DiagramStyle style_;
   const Fonts& fonts_;
+  Vec2 extent_;
   double unit_;
   Vec2 corner_;
   std::vector<MathSymbol> symbols_;
@@ -112,6 +114,9 @@ enum class Arrangement { wide, tall };
 struct DiagramKind {
   Vec2 wide, tall;  ///< equal where there is one arrangement alone
   void (*draw)(const SceneModel& model, double t_s, Arrangement arrangement, DiagramPaper& paper);
+  /// Of one that takes all the room of its box: how far it grows beyond `wide`, which is the least then.
+  /// Zero: it does not.
+  Vec2 most = {0, 0};
 };
 
 /// The overlays on paper; each kind is defined in the file of its name.

@@ -329,13 +329,13 @@ class MarkBuilder {
     const auto tail = vectors_.tail_V(index, m_.t_s, m_.state);
     if (!along || !tail || !(along->norm() > kTooShort)) return;
     const Look look = looks_.of(mark.of);
-    const bool is_force = mark.of.overlay == Overlay::N || mark.of.overlay == Overlay::F;
+    const bool is_torque = mark.of.overlay == Overlay::N;
     const Vec3 tip = *tail + *along;
     list_.arrows.push_back({.tail = *tail,
                             .tip = tip,
                             .radius = kArrowRadius * m_.thickness,
                             .color = look.role.paint,
-                            .dash = is_force || look.is_dashed ? kArrowDash : 0.0});
+                            .dash = is_torque || look.is_dashed ? kArrowDash : 0.0});
     const Vec3 named =
         mark.name_at < 1 ? Vec3(*tail + mark.name_at * *along) : Vec3(tip + kBeyond * along->normalized());
     add_label({.text = mark.tex.value_or(mark.of.quantity.tex),

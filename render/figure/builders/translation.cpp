@@ -122,13 +122,10 @@ void add_arrows(const Snapshot& m, const Vec3& at, const Lengths& lengths, const
     add_arrow(m, Overlay::p, {.tail = at, .tip = at + lengths.p * v_V, .radius = 1.35 * radius, .color = {}},
               "$\\vec p$", kLRole, list);
   if (shown.contains(Overlay::F) && !now.F_S.isZero(0.0))
-    add_arrow(m, Overlay::F,
-              {.tail = at,
-               .tip = at + lengths.F * (m.q_VS * now.F_S.normalized()),
-               .radius = radius,
-               .color = {},
-               .dash = kArrowDash},
-              "$\\vec F$", kNRole, list);
+    add_arrow(
+        m, Overlay::F,
+        {.tail = at, .tip = at + lengths.F * (m.q_VS * now.F_S.normalized()), .radius = radius, .color = {}},
+        "$\\vec F$", kNRole, list);
 }
 
 }  // namespace

@@ -63,6 +63,16 @@ TEST(PageDivision, OfDivisionsThatAreAsGoodTheQuestionEndsItsPage) {
               ElementsAre(3, 4));
 }
 
+TEST(PageDivision, NothingFollowsAPrediction) {
+  constexpr const char* kPrediction =
+      "```ask p\ntype = \"predict\"\nprompt = \"Which?\"\nbecause = \"So it is.\"\n\n- [x] this\n- [ ] "
+      "that\n```\n";
+  for (const int long_part : {1, 10, 20})
+    EXPECT_THAT(pages_of(lesson_of(std::string(kPrediction) + "\n---\n\n" + lines(long_part))),
+                ElementsAre(1, 2))
+        << long_part;
+}
+
 TEST(PageDivision, APageHasNoMorePicturesThanOneCanSee) {
   std::string steps;
   for (int i = 1; i <= 8; ++i)

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "app/narration/short_answers.h"
+
+#include "lessons/claims/answers/number_answer.h"
+#include "lessons/claims/expressions/expression_tex.h"
+#include "lessons/reader/questions/state_task.h"
+
+#include <fmt/format.h>
+
+namespace polhode {
+
+namespace {
+
+constexpr std::size_t kLongestState = 60;  ///< characters
+
+std::string answer_in_short(const Lesson& lesson, const Ask& ask) {
+  if (ask.type == Ask::Type::derive) return {};
+  if (ask.expression) return '$' + tex_of(*ask.expression, &lesson.notation.vocabulary) + '$';
+  if (ask.number) return words_of(*ask.number);
+  if (ask.task) {
+    const std::string state = text_of(ask.task->solution);
+    return state.empty() || state.size() > kLongestState ? "" : "for example " + state;
+  }
+  std::string letters;
+  for (const int answer : ask.answers) {
+    if (!letters.empty()) letters += ' ';
+    letters += letter_of_choice(static_cast<std::size_t>(answer - 1));
+  }
+  return letters;
+}
+
+}  // namespace
+
+std::string short_answers(const Lesson& lesson, const Stage& stage) {
+  std::string line;
+  for (std::size_t i = 0; i < stage.steps.size(); ++i)
+    for (const Ask* ask : blocks_of<Ask>(stage.steps[i]))
+      if (const std::string answer = answer_in_short(lesson, *ask); !answer.empty())
+        line += fmt::format("{}step {}, {}", line.empty() ? "Answers: " : "; ", i + 1, answer);
+  return line;
+}
+
+}  // namespace polhode
