@@ -47,6 +47,7 @@ enum class Overlay {
   transport,           ///< an arrow A; at its tip d*A/dt, ω×A and dA/dt close a triangle
   terms,               ///< I·ω̇ and ω×(I·ω) head to tail; their sum is N
   pivot,               ///< stand and axle of a heavy top
+  spin,                ///< the sense in which the body turns about its axis 3
   tensor_bars,         ///< components of I in S beside those in S*
   cofactors,           ///< ω×(I·ω) as a determinant, one cofactor after the other
   cyclic_wheel,        ///< 1→2→3→1, and the term that it gives
@@ -236,6 +237,12 @@ inline constexpr std::array<OverlayFacts, kOverlayCount> kOverlays = [] {
        .words = "the stand and the axle",
        .seen_if = S::pivot,
        .attitude = In::space},
+      {.overlay = O::spin,
+       .name = "spin",
+       .words = "an arrow bent about axis 3, the way the body spins",
+       .seen_if = S::moves,
+       .attitude = In::space,
+       .needs = {&R::omega}},
       {.overlay = O::tensor_bars,
        .name = "tensor-bars",
        .words = "bars of the components of I in space and in the body",

@@ -27,7 +27,8 @@ constexpr const char* kChoice =
     "```ask c\ntype = \"predict\"\nprompt = \"Which?\"\nshuffle = false\nbecause = \"So.\"\n\n"
     "- [ ] this\n- [x] that\n- [ ] neither\n```\n";
 constexpr const char* kExpression =
-    "```ask e\nprompt = \"What is twice the energy?\"\nanswer = \"dot(omega, L)\"\nbecause = \"So.\"\n```\n";
+    "```ask e\ntype = \"expression\"\nprompt = \"What is twice the energy?\"\nanswer = \"dot(omega, "
+    "L)\"\nbecause = \"So.\"\n```\n";
 
 TEST(ShortAnswers, NameTheStepAndTheAnswerOfEachQuestion) {
   const Lesson lesson = lesson_of(std::string("Words.\n\n---\n\n") + kChoice + "\n---\n\nMore.\n" + kNumber +
