@@ -198,7 +198,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/substitute-from", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
     {"euler-equations/substitute-both", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
     {"euler-equations/substitute-normal", [](const Now& s) { return Sides2(s.L().dot(w_x_L(s)), 0.0); }},
-    {"euler-equations/substitute-tempting", [](const Now& s) { return Sides2(s.L() + w_x_L(s), s.N()); }},
     {"euler-equations/tensor-two-terms", [](const Now& s) { return Sides2(s.star_L(), s.times_I(s.star_w())); }},
     {"euler-equations/tensor-product-rule", [](const Now& s) { return Sides2(s.star_L(), s.times_I(s.star_w())); }},
     {"euler-equations/tensor-outside", [](const Now& s) { return Sides2(s.times_I(s.star_w()) + w_x_L(s), s.N()); }},
