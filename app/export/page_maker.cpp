@@ -144,7 +144,7 @@ class PageMaker : public PictureMaker {
   }
 
   static PageEntrance entrance_of(std::optional<double> opacity) {
-    if (!opacity) return Standing{};
+    if (!opacity) return StandingStill{};
     return FadingIn{*opacity};
   }
 

@@ -28,15 +28,15 @@ struct StateNumbers {
 
 /// Takes body components to space components: R(q) = homogeneous / |q|², with its rate.
 template <class N>
-std::array<Triple<N>, 3> attitude_matrix(const std::array<Jet<N>, 4>& q) {
+std::array<ComponentJets<N>, 3> attitude_matrix(const std::array<Jet<N>, 4>& q) {
   const auto& [w, x, y, z] = q;
   const Jet<N> scale = inverse(w * w + x * x + y * y + z * z);
   const auto twice = [](const Jet<N>& a) { return a + a; };
-  const std::array<Triple<N>, 3> homogeneous{
+  const std::array<ComponentJets<N>, 3> homogeneous{
       {{w * w + x * x - y * y - z * z, twice(x * y - w * z), twice(x * z + w * y)},
        {twice(x * y + w * z), w * w - x * x + y * y - z * z, twice(y * z - w * x)},
        {twice(x * z - w * y), twice(y * z + w * x), w * w - x * x - y * y + z * z}}};
-  std::array<Triple<N>, 3> R;
+  std::array<ComponentJets<N>, 3> R;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) R[i][k] = scale * homogeneous[i][k];
   return R;
@@ -97,7 +97,7 @@ bool holds_in(const Given& given, const ClaimState<SizedNumber>& state, double t
 
 /// The value in a state, by jets of the expression's order; nothing where it is not defined.
 template <class N>
-std::optional<Triple<N, 0>> value_in(const ClaimState<N>& state, const Expression& expression);
+std::optional<ComponentJets<N, 0>> value_in(const ClaimState<N>& state, const Expression& expression);
 
 /// Whether both sides are equal in a state; nothing where one of them is not defined.
 template <class N>
@@ -105,12 +105,13 @@ std::optional<bool> agree(const Equality& equality, const ClaimState<N>& state);
 
 /// |left − right| relative to the larger of the two sides' sizes: of terms that cancel, the rounding error.
 /// 0 if there is nothing but zeros; not finite where an operand is not.
-double relative_residual(const Triple<SizedNumber, 0>& left, const Triple<SizedNumber, 0>& right);
+double relative_residual(const ComponentJets<SizedNumber, 0>& left,
+                         const ComponentJets<SizedNumber, 0>& right);
 
 /// Both sides in doubles.
 struct Sides {
-  Triple<SizedNumber, 0> left, right;  ///< components in space
-  double residual = 0;                 ///< relative_residual
+  ComponentJets<SizedNumber, 0> left, right;  ///< components in space
+  double residual = 0;                        ///< relative_residual
 };
 /// Nothing where one of them is not defined, or not finite.
 std::optional<Sides> sides_of(const Equality& equality, const ClaimState<SizedNumber>& state);

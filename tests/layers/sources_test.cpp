@@ -72,6 +72,15 @@ TEST(Sources, FollowEachArrow) {
     ADD_FAILURE() << finding.file << ": " << finding.message;
 }
 
+TEST(Sources, DefineEachTypeInOneHeader) {
+  const std::map<std::string, std::string> files = texts_by_path();
+  std::size_t count = 0;
+  for (const auto& [path, text] : files) count += types_of(text).size();
+  EXPECT_GT(count, 500u) << "of " << files.size() << " files";
+  for (const Finding& finding : doubled_types(files))
+    ADD_FAILURE() << finding.file << ": " << finding.message << ": give one of them another name";
+}
+
 TEST(Sources, AreFewInEachFolder) {
   constexpr int kMost = 30;  // as many as are taken in at a glance, in the list that an editor shows
   std::map<std::string, int> counts;

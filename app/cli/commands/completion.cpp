@@ -26,7 +26,7 @@ ExitCode completion(const std::string& name) {
 
 }  // namespace
 
-Command completion_command() {
+ProgramCommand completion_command() {
   const auto shell = std::make_shared<std::string>();
   return {
       "completion",

@@ -277,7 +277,7 @@ ExitCode show_info(const std::string& name, bool json) {
 
 }  // namespace
 
-Command info_command() {
+ProgramCommand info_command() {
   struct Options {
     std::string lesson;
     bool json = false;

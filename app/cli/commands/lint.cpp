@@ -184,7 +184,7 @@ ExitCode lint(const std::vector<std::string>& names, bool json) {
 
 }  // namespace
 
-Command lint_command() {
+ProgramCommand lint_command() {
   struct Options {
     std::vector<std::string> files;
     std::string explain;

@@ -69,7 +69,7 @@ ExitCode list(bool json) {
 
 }  // namespace
 
-Command list_command() {
+ProgramCommand list_command() {
   const auto json = std::make_shared<bool>(false);
   return {"list",
           "List the lessons",

@@ -220,7 +220,7 @@ ExitCode play(Options options) {
 
 }  // namespace
 
-Command play_command() {
+ProgramCommand play_command() {
   const auto options = std::make_shared<Options>();
   return {
       "play",

@@ -40,7 +40,7 @@ WordSet set_of(const Words& words) { return {words.begin(), words.end()}; }
 
 Words names_of_commands() {
   Words names;
-  for (const Command& command : program_commands()) names.push_back(command.name);
+  for (const ProgramCommand& command : program_commands()) names.push_back(command.name);
   return names;
 }
 

@@ -508,7 +508,7 @@ TEST(Page, InASequenceWhatStandsThereStaysInItsPlace) {
         .sheet;
   };
   const Sheet before = sheet_of(1, FadingIn{1.0}), after = sheet_of(2, FadingIn{0.5}),
-              alone = sheet_of(2, Standing{});
+              alone = sheet_of(2, StandingStill{});
   ASSERT_GT(after.texts.size(), before.texts.size());
   for (std::size_t i = 1; i < before.texts.size(); ++i) {  // 0 tells the step
     EXPECT_EQ(before.texts[i].list, after.texts[i].list);

@@ -134,7 +134,7 @@ TEST(ClaimState, SidesAgreeDifferOrAreNotDefined) {
 
 TEST(ClaimState, AResidualIsRelativeToTheTermsOfTheLargerSide) {
   const auto vector = [](SizedNumber a, SizedNumber b) {
-    return Triple<SizedNumber, 0>{{{a, 0}, {b, 0}, {SizedNumber(0), 0}}};
+    return ComponentJets<SizedNumber, 0>{{{a, 0}, {b, 0}, {SizedNumber(0), 0}}};
   };
   EXPECT_EQ(relative_residual(vector(0, 0), vector(0, 0)), 0.0);
   EXPECT_EQ(relative_residual(vector(3, 0), vector(3, 0)), 0.0);

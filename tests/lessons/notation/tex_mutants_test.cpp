@@ -462,7 +462,7 @@ bool agree(const Value& a, const Value& b) {
     if (std::abs(a.x[i] - b.x[i]) > kNear * size) return false;
   return true;
 }
-Value read_value(const Triple<SizedNumber, 0>& side) {
+Value read_value(const ComponentJets<SizedNumber, 0>& side) {
   Value value;
   for (std::size_t i = 0; i < 3; ++i) value.x[i] = side[i].value.value;
   return value;

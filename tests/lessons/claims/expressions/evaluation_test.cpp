@@ -22,9 +22,9 @@ using testing::random_numbers;
 using Field = FieldElement;
 
 template <class N>
-Triple<N> jets_in(const ClaimState<N>& state, const std::string& text) {
+ComponentJets<N> jets_in(const ClaimState<N>& state, const std::string& text) {
   Evaluation<N> evaluate(state);
-  Triple<N> value;
+  ComponentJets<N> value;
   EXPECT_TRUE(evaluate(equality(text, "0").left, value)) << text;
   return value;
 }
@@ -39,7 +39,7 @@ std::array<Field, 4> product(const std::array<Field, 4>& a, const std::array<Fie
           a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
 }
 
-std::array<Field, 3> turned(const std::array<Triple<Field>, 3>& G, const std::array<Field, 3>& x) {
+std::array<Field, 3> turned(const std::array<ComponentJets<Field>, 3>& G, const std::array<Field, 3>& x) {
   std::array<Field, 3> y;
   for (std::size_t i = 0; i < 3; ++i)
     y[i] = G[i][0].value * x[0] + G[i][1].value * x[1] + G[i][2].value * x[2];
@@ -297,7 +297,7 @@ TEST(Evaluation, FunctionsOfNumbersEndWhereTheyAreNotDefined) {
   ClaimState<SizedNumber> state{};
   state.w_B = {{{2.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}}};
   Evaluation<SizedNumber> evaluate(state);
-  Triple<SizedNumber> value;
+  ComponentJets<SizedNumber> value;
   for (const char* text : {"sqrt(w2)", "acos(w1)", "log(w2)", "log(w3)"})
     EXPECT_FALSE(evaluate(equality(text, "0").left, value)) << text;
   for (const char* text : {"sqrt(w3)", "acos(w1/2)", "atan2(w3, w3)"})

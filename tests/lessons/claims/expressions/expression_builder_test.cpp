@@ -158,7 +158,7 @@ bool has_degree(const std::string& text, std::size_t component, const Degree& de
   for (std::size_t point = 0; point < unknowns + 4; ++point) {
     const Field s(static_cast<std::int64_t>(1000 + 77 * point));
     const auto state = state_on_line(s, assumption);
-    Triple<Field> value;
+    ComponentJets<Field> value;
     if (!Evaluation<Field>(state)(read, value)) return false;
     Row row(unknowns);
     Field power(1);
