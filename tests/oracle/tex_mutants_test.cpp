@@ -262,7 +262,7 @@ TEST_F(TexMutants, OfWhatHoldsToAnOrderAreDecidedAlike) {
                                  : theirs == Decision::same      ? Verdict::holds
                                  : theirs == Decision::different ? Verdict::fails
                                                                  : Verdict::undecided;
-          const Judgement ours = prover_.settle_to_order(sides, formula.assumption, given);
+          const Judgement ours = prover_.settle_in_series(sides, formula.assumption, given);
           EXPECT_EQ(ours.verdict, wanted) << tex << " to order " << order << " is read as " << sides.left.text
                                           << " = " << sides.right.text << ": " << ours.message;
         }

@@ -184,7 +184,7 @@ Judgement judge_equality(const ClaimLine& line, ClaimKind kind, const Prover& pr
 }
 
 Judgement judge_order(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
-  Judgement judgement = prover.settle_order(line, assumption_of(kind, given), given);
+  Judgement judgement = prover.settle_inequality(line, assumption_of(kind, given), given);
   if (kind != ClaimKind::is_false) return judgement;
   if (judgement.verdict == Verdict::fails) return {Verdict::holds, "", "", judgement.counterexample};
   if (judgement.verdict == Verdict::undecided) return judgement;
@@ -221,7 +221,7 @@ std::string to_order(const Given& given) {
 Judgement judge_approximation(const ClaimLine& line, ClaimKind kind, const Prover& prover,
                               const Given& given) {
   const Assumption assumption = assumption_of(kind, given);
-  Judgement judgement = prover.settle_to_order(line.equality, assumption, given);
+  Judgement judgement = prover.settle_in_series(line.equality, assumption, given);
   if (judgement.verdict == Verdict::undecided) return judgement;
   const bool holds = judgement.verdict == Verdict::holds;
   if (kind == ClaimKind::is_false) {
@@ -232,7 +232,7 @@ Judgement judge_approximation(const ClaimLine& line, ClaimKind kind, const Prove
   }
   if (holds) return {};
   const auto holds_under = [&](Assumption other) {
-    return prover.settle_to_order(line.equality, other, given).verdict == Verdict::holds;
+    return prover.settle_in_series(line.equality, other, given).verdict == Verdict::holds;
   };
   if (assumption == Assumption::identity && holds_under(Assumption::motion))
     judgement.hint = "it follows from the equations of motion: its kind is motion";
@@ -348,8 +348,8 @@ bool Prover::agrees_at_its_own_points(const Equality& equality, Assumption assum
   return true;
 }
 
-Verdict Prover::agree_to_order(const Equality& equality, Assumption assumption, const Given& given,
-                               std::string& why) const {
+Verdict Prover::agree_in_series(const Equality& equality, Assumption assumption, const Given& given,
+                                std::string& why) const {
   const int order = given.small.order;
   if (equality.left.nodes.size() + equality.right.nodes.size() > kMostExpandedNodes) {
     why = "its sides are too long to be expanded: they have more than " + std::to_string(kMostExpandedNodes) +
@@ -399,12 +399,12 @@ Verdict Prover::agree_to_order(const Equality& equality, Assumption assumption, 
   return comparison.is_known && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
 }
 
-Judgement Prover::settle_to_order(const Equality& stated, Assumption assumption, const Given& given) const {
+Judgement Prover::settle_in_series(const Equality& stated, Assumption assumption, const Given& given) const {
   const std::optional<Equality> placed = in_places_of_a_state(stated, given);
   if (!placed) return undecided();
   const Equality& equality = *placed;
   std::string why;
-  const Verdict verdict = agree_to_order(equality, assumption, given, why);
+  const Verdict verdict = agree_in_series(equality, assumption, given, why);
   if (verdict == Verdict::holds) return {};
   if (verdict == Verdict::undecided) {
     if (why.empty()) return undecided();
@@ -433,7 +433,7 @@ Verdict Prover::confirmed(const Equality& equality, Assumption assumption, const
   return agrees && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
 }
 
-Judgement Prover::settle_order(const ClaimLine& line, Assumption assumption, const Given& given) const {
+Judgement Prover::settle_inequality(const ClaimLine& line, Assumption assumption, const Given& given) const {
   const bool is_upward = line.relation == Relation::greater || line.relation == Relation::greater_or_equal;
   const bool is_strict = line.relation == Relation::greater || line.relation == Relation::less;
   const std::optional<Equality> placed = in_places_of_a_state(line.equality, given);

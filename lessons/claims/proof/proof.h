@@ -53,9 +53,9 @@ class Prover {
   std::optional<Counterexample> refute(const Equality& equality, Assumption assumption,
                                        const Given& given = {}) const;
   /// Where quantities are small. What is undecided has its reason with it.
-  Judgement settle_to_order(const Equality& equality, Assumption assumption, const Given& given) const;
+  Judgement settle_in_series(const Equality& equality, Assumption assumption, const Given& given) const;
   /// A line that states an inequality: proved (signs.h), refuted by a possible state, or neither.
-  Judgement settle_order(const ClaimLine& line, Assumption assumption, const Given& given = {}) const;
+  Judgement settle_inequality(const ClaimLine& line, Assumption assumption, const Given& given = {}) const;
   /// A motion with any torque in which the premise holds and the conclusion fails.
   std::optional<Counterexample> refute_inference(const Equality& premise, const Equality& conclusion,
                                                  const Given& given = {}) const;
@@ -67,8 +67,8 @@ class Prover {
   const std::vector<ClaimState<FieldElement>>& samples(Assumption assumption) const {
     return samples_[static_cast<std::size_t>(assumption)];
   }
-  Verdict agree_to_order(const Equality& equality, Assumption assumption, const Given& given,
-                         std::string& why) const;
+  Verdict agree_in_series(const Equality& equality, Assumption assumption, const Given& given,
+                          std::string& why) const;
   bool agrees_at_its_own_points(const Equality& equality, Assumption assumption, const Given& given) const;
   Verdict confirmed(const Equality& equality, Assumption assumption, const Given& given) const;
 

@@ -359,7 +359,7 @@ bool StatementCheck::holds_in_general(const StatedLink& link, const Standing& st
     ClaimLine line;
     line.equality = equality;
     line.relation = link.relation;
-    const Verdict verdict = prover_.settle_order(line, assumption, given).verdict;
+    const Verdict verdict = prover_.settle_inequality(line, assumption, given).verdict;
     return verdict == Verdict::holds || verdict == Verdict::not_refuted;
   };
   if (holds(Assumption::identity, {}) || holds(Assumption::motion, {})) return true;
