@@ -190,7 +190,7 @@ Status LiveFigure::lay_out(Size size, Picture what, double resolution) {
   if (size.width < 1 || size.height < 1) return failure("A picture has pixels.");
   if (!(resolution > 0) || resolution > 1)
     return failure("A part of the pixels is meant, above 0 and up to 1.");
-  if (what == Picture::page)
+  if (what == Picture::slide)
     if (Status whole = read_whole(); !whole) return whole;
   const Key key{
       session_->place(),  session_->model_number(), lesson_number_,  size,  what, resolution, session_->t_s(),
@@ -238,8 +238,8 @@ Result<Page> LiveFigure::compose(const Key& key) {
                       .t_s = key.t_s,
                       .size = key.size,
                       .theme = key.theme,
-                      .profile = key.what == Picture::page ? Profile::slides : Profile::page,
-                      .runs = key.what == Picture::page};
+                      .profile = key.what == Picture::slide ? Profile::slides : Profile::page,
+                      .runs = key.what == Picture::slide};
   if (key.what == Picture::figure) {
     Page page = compose_picture(request, **type);
     for (Inset& inset : page.insets) {

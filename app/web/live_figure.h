@@ -24,7 +24,7 @@ namespace polhode {
 
 class LiveFigure {
  public:
-  enum class Picture { figure, page };
+  enum class Picture { figure, slide };
 
   LiveFigure();
   LiveFigure(const LiveFigure&) = delete;
