@@ -386,8 +386,8 @@ def core_benchmarks(table, bench):
         gains["threads held"].append(held / two)
     for name, benchmark in (("processes", "two processes / one, LP_NUM_THREADS=1"),
                             ("processes held", "two on two cores / one on one core, LP_NUM_THREADS=1"),
-                         ("threads", "one process, LP_NUM_THREADS 2 / 1"),
-                         ("threads held", "one process, 2 on two cores / 1 on one core")):
+                            ("threads", "one process, LP_NUM_THREADS 2 / 1"),
+                            ("threads held", "one process, 2 on two cores / 1 on one core")):
         gain = median(gains[name])
         table.row(benchmark, ">= 1.8", f"{gain:.2f} x the frames/s", gain >= 1.8)
 
