@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Golden pages, equations and a frame of a morph, by the golden rule, each proved able to fail.
-#include "app/page/loaded_lesson.h"
 #include "app/page/page.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "render/image/compare.h"
 #include "render/typeset/morph.h"
 #include "tests/golden/approval.h"

@@ -93,9 +93,9 @@ TEST(Sources, AreFewInEachFolder) {
 // What a claim comes to depends on the lesson alone: whoever sets text, again and again, reads it there.
 // Nothing is proved without a Prover.
 TEST(Sources, OfTheProgramProveWhenALessonIsLoadedAndWhenAnAnswerIsJudged) {
-  const std::set<std::string> provers = {
-      "app/cli/commands/answer.cpp", "app/page/loaded_lesson.cpp", "app/session/answers/answer_check.h",
-      "app/session/answers/derivation_work.h", "app/session/lesson_session.cpp"};
+  const std::set<std::string> provers = {"app/cli/commands/answer.cpp", "app/session/answers/answer_check.h",
+                                         "app/session/answers/derivation_work.h",
+                                         "app/session/lesson_session.cpp"};
   static const std::regex kProof(R"(\b(Prover|prove_claims)\b)");
   std::set<std::string> found;
   for (const Source& file : sources({".h", ".cpp"}))

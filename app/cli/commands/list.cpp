@@ -5,6 +5,7 @@
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
 #include "base/printable.h"
+#include "lessons/reader/reader.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

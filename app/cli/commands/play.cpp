@@ -16,6 +16,7 @@
 #include "base/printable.h"
 #include "lessons/reader/checks/claim_check.h"
 #include "lessons/reader/checks/lint_budget.h"
+#include "lessons/reader/reader.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #include "app/page/live_numbers.h"
 
 #include "app/narration/still_numbers.h"
-#include "app/page/loaded_lesson.h"
 #include "lessons/claims/live_claims.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "render/typeset/paragraph.h"
 #include "tests/app/page/sheet_checks.h"
 

@@ -3,7 +3,7 @@
 #include "app/publish/lesson_deck.h"
 
 #include "app/narration/step_notes.h"
-#include "app/page/loaded_lesson.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/publish/example_deck.h"
 
 #include <gmock/gmock.h>

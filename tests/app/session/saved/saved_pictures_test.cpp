@@ -3,6 +3,7 @@
 #include "app/page/figure_place.h"
 #include "app/page/page.h"
 #include "app/session/saved/saved_scene.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "render/figure/make_figure.h"
 #include "tests/app/run_program.h"
 #include "tests/app/session/example_lesson.h"

@@ -5,6 +5,7 @@
 #include "app/session/figure_interaction.h"
 #include "app/session/steering.h"
 #include "app/window/controls/control_input.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "render/image/png.h"
 #include "tests/app/window/screen_harness.h"
 #include "tests/base/files/folder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/page/loaded_lesson.h"
+#include "lessons/reader/checks/lesson_check.h"
 
 #include "lessons/reader/checks/claim_check.h"
 #include "lessons/reader/checks/lint_budget.h"
@@ -14,7 +14,6 @@
 #include <utility>
 
 namespace polhode {
-
 namespace {
 
 /// The model's objections to each scene, at the place of its stage.
@@ -40,10 +39,6 @@ std::vector<Diagnostic> model_diagnostics(const Lesson& lesson, std::string_view
   }
   return found;
 }
-
-}  // namespace
-
-namespace {
 
 /// The model's objections to each row of a table, at its place.
 std::vector<Diagnostic> row_diagnostics(const Lesson& lesson, std::string_view file_name,
