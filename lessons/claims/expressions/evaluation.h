@@ -7,8 +7,8 @@
 // not assumed. Rates are carried along as far as the expression's order needs them.
 #pragma once
 
-#include "lessons/claims/answers/sized_number.h"
 #include "lessons/claims/expressions/expression.h"
+#include "lessons/claims/expressions/sized_number.h"
 #include "lessons/claims/expressions/vocabulary.h"
 #include "lessons/claims/proof/prime_field.h"
 
