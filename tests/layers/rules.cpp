@@ -85,7 +85,11 @@ const std::vector<Room>& rooms() {
       {"app/publish/", Names{"app/publish/"} + kExport,
        Names{"fmt/", "nlohmann/", "archive", "libdeflate.h"} + kPosix, kConsole},
       {"app/session/", kSession, kFormats + kPosix, kConsole},
-      {"app/web/", kSession, Names{"emscripten/"} + kFormats, kConsole},
+      {"app/web/",
+       Names{"app/session/", "app/page/", "render/figure/", "render/drawing/", "render/gl/",
+             "render/image/image.h", "render/palette.h"} +
+           kNarration,
+       Names{"emscripten/"} + kFormats, kConsoleAndFiles + Names{"thread", "future"}},
       {"app/window/panels/", kWindow, kControls, kConsole},
       {"app/window/screen/", kWindow, kControls, kConsole},  // drawn off-screen too, without GLFW
       {"app/window/", kWindow, Names{"GLFW/", "X11/", "backends/imgui_impl_glfw.h"} + kControls, kConsole},
