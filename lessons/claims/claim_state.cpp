@@ -18,7 +18,7 @@ std::optional<std::size_t> place_among_three(Quantity quantity, Quantity first) 
 
 /// All but the rates of N, F, and what follows from these.
 template <class N>
-ClaimState<N> first_order_state(const StateNumbers<N>& n, Assumption assumption) {
+ClaimState<N> first_order_state(const StateNumbers<N>& n, LawsAssumed laws) {
   ClaimState<N> state{};
   state.I = n.I;
   state.J = n.J;
@@ -26,8 +26,8 @@ ClaimState<N> first_order_state(const StateNumbers<N>& n, Assumption assumption)
   state.h = n.h;
   state.k = n.k;
   state.constants = n.constants;
-  const bool moves_freely = assumption == Assumption::identity;
-  const std::array<N, 3> torque = assumption == Assumption::free ? std::array<N, 3>{} : n.N_B;
+  const bool moves_freely = laws == LawsAssumed::identity;
+  const std::array<N, 3> torque = laws == LawsAssumed::free ? std::array<N, 3>{} : n.N_B;
   const std::array<N, 3> dw = moves_freely ? n.dw : euler_rate(n.I, n.w, torque);
   const N reciprocal = moves_freely ? N(0) : inverse(n.m);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -62,20 +62,20 @@ bool add_given_rate(ClaimState<N>& state, const Setting& setting) {
 }  // namespace
 
 template <class N>
-std::optional<ClaimState<N>> state_of(StateNumbers<N> n, Assumption assumption, const Given& given) {
+std::optional<ClaimState<N>> state_of(StateNumbers<N> n, LawsAssumed laws, const Given& given) {
   if (!given.settings.empty()) {
     auto replaced = with_given(std::move(n), given);
     if (!replaced) return std::nullopt;
     n = std::move(*replaced);
   }
-  ClaimState<N> state = first_order_state(n, assumption);
+  ClaimState<N> state = first_order_state(n, laws);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (assumption != Assumption::free) state.N_B[i].rate = n.dN_B[i];
+    if (laws != LawsAssumed::free) state.N_B[i].rate = n.dN_B[i];
     state.F_S[i].rate = n.dF_S[i];
   }
   for (const Setting& setting : given.settings)
     if (!add_given_rate(state, setting)) return std::nullopt;
-  if (assumption == Assumption::identity) {
+  if (laws == LawsAssumed::identity) {
     for (std::size_t i = 0; i < 3; ++i) {
       state.w_B[i].second = n.ddw[i];
       state.v_S[i].second = n.ddv_S[i];
@@ -101,7 +101,7 @@ std::optional<ClaimState<N>> state_of(StateNumbers<N> n, Assumption assumption, 
 template <class N>
 std::optional<StateNumbers<N>> with_given(StateNumbers<N> n, const Given& given) {
   for (const Setting& setting : given.settings) {
-    const ClaimState<N> so_far = first_order_state(n, Assumption::identity);
+    const ClaimState<N> so_far = first_order_state(n, LawsAssumed::identity);
     Evaluation<N, 0> evaluate(so_far);
     ComponentJets<N, 0> value;
     if (!evaluate(setting.value, value)) return std::nullopt;
@@ -123,8 +123,8 @@ std::optional<StateNumbers<N>> with_given(StateNumbers<N> n, const Given& given)
 }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type in a template's arguments has none
-#define POLHODE_STATES_OF(N)                                                                 \
-  template std::optional<ClaimState<N>> state_of(StateNumbers<N>, Assumption, const Given&); \
+#define POLHODE_STATES_OF(N)                                                                  \
+  template std::optional<ClaimState<N>> state_of(StateNumbers<N>, LawsAssumed, const Given&); \
   template std::optional<StateNumbers<N>> with_given(StateNumbers<N>, const Given&);
 POLHODE_STATES_OF(FieldElement)
 POLHODE_STATES_OF(WideFieldElement)

@@ -11,7 +11,7 @@ namespace polhode {
 
 /// What a state obeys. identity: nothing, ω̇, N, v̇, F and their rates vary freely. motion: Euler's equations
 /// with any N and any rate of it, and m v̇ = F. free: the same with N = 0 all the time.
-enum class Assumption { identity, motion, free };
+enum class LawsAssumed { identity, motion, free };
 
 /// The numbers that a state is made of, on the body axes unless the name says otherwise.
 template <class N>
@@ -67,16 +67,16 @@ std::array<N, 3> euler_rate(const std::array<N, 3>& I, const std::array<N, 3>& w
           inverse(I[2]) * (torque_B[2] - w[0] * w[1] * (I[1] - I[0]))};
 }
 
-/// The state of these numbers under an assumption, which overrules the rates of ω and v, and what is given,
+/// The state of these numbers under these laws, which overrule the rates of ω and v, and what is given,
 /// which overrules what it sets; of N and F also the rates. Nothing where what is given is not defined, or a
 /// moment would be 0. Precondition: q, I and m are not zero.
 template <class N>
-std::optional<ClaimState<N>> state_of(StateNumbers<N> n, Assumption assumption, const Given& given);
+std::optional<ClaimState<N>> state_of(StateNumbers<N> n, LawsAssumed laws, const Given& given);
 
 /// The same where nothing is given: there is always one.
 template <class N>
-ClaimState<N> state_of(const StateNumbers<N>& n, Assumption assumption) {
-  return *state_of(n, assumption, Given());
+ClaimState<N> state_of(const StateNumbers<N>& n, LawsAssumed laws) {
+  return *state_of(n, laws, Given());
 }
 
 /// The numbers with those replaced that are given, one after the other; rates are not. Nothing where one of

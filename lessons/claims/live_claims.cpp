@@ -402,9 +402,9 @@ std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<
   }
   // Sides that are lost in rounding all the time have to be 0 for a reason.
   const bool is_free = model.scene.torque.empty() && !given.sets_torque();
-  const Assumption assumption = is_free ? Assumption::free : Assumption::motion;
+  const LawsAssumed laws = is_free ? LawsAssumed::free : LawsAssumed::motion;
   const bool is_proved =
-      side == 0 && is_provable(equality) && Prover().settle(equality, assumption, given) == Verdict::holds;
+      side == 0 && is_provable(equality) && Prover().settle(equality, laws, given) == Verdict::holds;
   worst.side = side == 0 && !is_proved ? kRounding : side;
   if (has_rest && side > 0) worst.side = std::min(worst.side, rest);
   worst.allowed = allowed;

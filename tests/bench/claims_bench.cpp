@@ -91,9 +91,9 @@ int run() {
   const Prover prover;
   for (const auto& [line, kind] : lines) {
     const Equality& equality = line->equality;
-    const Assumption assumption = assumption_of(kind);
-    settle_us.push_back(1e6 * each_s(50, [&] { prover.settle(equality, assumption); }));
-    refute_ms.push_back(1e3 * cpu_s([&] { (void)prover.refute(equality, assumption); }));
+    const LawsAssumed laws = laws_assumed_by(kind);
+    settle_us.push_back(1e6 * each_s(50, [&] { prover.settle(equality, laws); }));
+    refute_ms.push_back(1e3 * cpu_s([&] { (void)prover.refute(equality, laws); }));
   }
   for (int i = 0; i < 20; ++i)
     lecture_ms.push_back(1e3 * cpu_s([&] {

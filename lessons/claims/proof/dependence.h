@@ -29,7 +29,7 @@ struct Dependence {
   }
   static const std::array<bool Dependence::*, 19> kParts;
 };
-/// Under the assumption, and of what is given; there too what it is set to.
-Dependence dependence_of(const Equality& equality, Assumption assumption, const Given& given);
+/// Under these laws, and of what is given; there too what it is set to.
+Dependence dependence_of(const Equality& equality, LawsAssumed laws, const Given& given);
 
 }  // namespace polhode

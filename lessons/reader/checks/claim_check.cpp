@@ -191,7 +191,7 @@ class ClaimCheck {
     if (ask.derivation) check_derivation(ask, *ask.derivation, prover_, report_, effort_);
     if (ask.task) check_state_task(ask, report_, effort_);
     const auto& answer = ask.expression;
-    if (answer && prover_.settle({*answer, *answer}, Assumption::identity, ask.given) != Verdict::holds)
+    if (answer && prover_.settle({*answer, *answer}, LawsAssumed::identity, ask.given) != Verdict::holds)
       report_.error(ask.place, "the answer of question " + in_quotes(ask.id) + " is nowhere defined");
   }
 

@@ -120,7 +120,7 @@ void NumberCheck::check_head(const Head& head, const ComputedNumber& number,
   const std::string hint = "write a head in words, or show what it says";
   if (head.is->type() == ExpressionType::vector) return refuse(number, other, hint);
   const Equality sides{*head.is, number.expression};
-  if (is_provable(sides) && Prover().settle(sides, Assumption::identity) == Verdict::holds) return;
+  if (is_provable(sides) && Prover().settle(sides, LawsAssumed::identity) == Verdict::holds) return;
   for (MotionNumbers* motion : motions) {
     auto said = motion->value_of(*head.is);
     const auto shown = motion->value_of(number.expression);
@@ -269,7 +269,7 @@ void NumberCheck::check_computed_tables(const RichText& text) {
       const Head head = head_of(block.table.rows.front()[c]);
       const Equality sides{head.is.value_or(numbers.front()->expression), numbers.front()->expression};
       const bool is_same = is_provable(sides) && fit(sides.left.type(), sides.right.type()) &&
-                           Prover().settle(sides, Assumption::identity) == Verdict::holds;
+                           Prover().settle(sides, LawsAssumed::identity) == Verdict::holds;
       std::vector<SceneModel> models;
       std::vector<MotionNumbers> motions;
       std::vector<MotionNumbers*> of_rows;

@@ -9,16 +9,17 @@ namespace polhode {
 
 /// The first state in which the sides are not so related, and the premise, if there is one, holds; with a
 /// premise, or where an order is stated or given, also among some hundred states of random small numbers. In
-/// words; what neither depends on under the assumption is left out. `tried`: in how many states both sides
+/// words; what neither depends on under these laws is left out. `tried`: in how many states both sides
 /// are defined.
-std::optional<Counterexample> first_small_state(const Equality& sides, const Equality* premise,
-                                                Assumption assumption, const Given& given = {},
-                                                Relation relation = Relation::equal, int* tried = nullptr);
+std::optional<Counterexample> first_whole_number_state(const Equality& sides, const Equality* premise,
+                                                       LawsAssumed laws, const Given& given = {},
+                                                       Relation relation = Relation::equal,
+                                                       int* tried = nullptr);
 
 /// The first state in which two sides, expanded in what is small, differ through the order that is given;
 /// what is small has an ε, "ω = (ε, 1, 2ε)", and of the sides there is what comes first, "−0.5ε".
 /// `differ_at`: the power of ε at which they do. Nothing if none of those tried is one.
-std::optional<Counterexample> first_small_expansion(const Equality& sides, Assumption assumption,
+std::optional<Counterexample> first_state_in_series(const Equality& sides, LawsAssumed laws,
                                                     const Given& given, int& differ_at);
 
 /// Whether some body and state that are tried are as is given, and each inequality holds strictly: so there
