@@ -184,8 +184,8 @@ void keep_frame(CameraSpec& camera, const SceneModel& model, const Inset& inset,
 }
 
 /// From where the tip is shown to where it is drawn as the present motion begins anew.
-Vec2 slip_of(const SceneModel& model, double t_s, const Inset& inset, std::size_t pane,
-             const std::optional<AttitudeSpec>& attitude, const CameraSpec& camera, const Vec3& w_B) {
+Vec2 offset_of(const SceneModel& model, double t_s, const Inset& inset, std::size_t pane,
+               const std::optional<AttitudeSpec>& attitude, const CameraSpec& camera, const Vec3& w_B) {
   const double aspect = aspect_of(inset.place);
   const PixelRect rect = rect_of(inset.figure.panes[pane], inset.place);
   const auto shown = drawn_omega(model, t_s, pane, aspect);
@@ -263,14 +263,14 @@ std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const 
     camera.azimuth_rad =
         std::remainder(camera.azimuth_rad + turned_at_start(model.scene, now), 2.0 * std::numbers::pi);
   keep_frame(camera, model, inset, pane, attitude, now.w_B);
-  const Vec2 slip = slip_of(model, t_s, inset, pane, attitude, camera, now.w_B);
+  const Vec2 offset = offset_of(model, t_s, inset, pane, attitude, camera, now.w_B);
   const Vec3 semi_axes = energy_ellipsoid_semi_axes(I, two_T);
   const Vec3 start = now.w_B.cwiseQuotient(semi_axes).normalized();
   if (!start.allFinite()) return std::nullopt;
-  OmegaSearch search(model, inset, pane, Vec2(x, y) + slip, semi_axes, attitude, camera);
+  OmegaSearch search(model, inset, pane, Vec2(x, y) + offset, semi_axes, attitude, camera);
   const auto w0_B = search.from(start);
   if (!w0_B) return std::nullopt;
-  return GrabbedOmega{*w0_B, attitude, camera, slip};
+  return GrabbedOmega{*w0_B, attitude, camera, offset};
 }
 
 }  // namespace polhode

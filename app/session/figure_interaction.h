@@ -35,8 +35,8 @@ struct TipOnScreen {
 /// beside it is not taken hold of.
 std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets);
 
-/// The ω, in body axes, whose tip is drawn at the point (px of the page) and the slip, or as near as any can
-/// be. It has the present energy; under torque that of the moment. "Drawn" means in the same pane, in the
+/// The ω, in body axes, whose tip is drawn at the point (px of the page) and the offset, or as near as any
+/// can be. It has the present energy; under torque that of the moment. "Drawn" means in the same pane, in the
 /// scene that starts with this ω, with `camera`, and with `attitude` at t = 0. In space the body keeps the
 /// attitude of the moment, so that the motion goes on from there; but where the scene has to hold L down or
 /// up it turns under the hand, and the tip stays at the pointer. Nothing for a body at rest. Found by
@@ -47,8 +47,8 @@ struct GrabbedOmega {
   /// With the frame that the scene had before the hand. Where L stays, the body begins turned about the
   /// vertical beside the moment; a camera of space alone goes round with it, so that it is seen as it was.
   CameraSpec camera;
-  Vec2 slip{0, 0};  ///< px by which the tip is drawn elsewhere as the motion begins anew; it is at the point
-                    ///< and this, so that ω goes on from what it is
+  Vec2 offset{0, 0};  ///< px by which the tip is drawn elsewhere as the motion begins anew; it is at the
+                      ///< point and this, so that ω goes on from what it is
 };
 /// @param keeps_L the scene has to hold L down or up, if it does; it has anyway beside the invariable plane,
 ///   which is seen only where L points down

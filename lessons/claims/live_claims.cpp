@@ -190,7 +190,7 @@ bool has_rates(const Expression& expression) {
   return std::any_of(expression.nodes.begin(), expression.nodes.end(), is_rate);
 }
 
-bool slips(const Scene& scene) {
+bool loses_energy_inside(const Scene& scene) {
   return std::any_of(scene.torque.begin(), scene.torque.end(),
                      [](const TorqueTerm& term) { return std::holds_alternative<EnergySink>(term); });
 }
@@ -273,7 +273,7 @@ bool can_be_shown(const Claim& claim, const Scene& scene) {
   if (!claim.given.empty() && !holds_at_start(claim.given, scene)) return false;
   if (claim.kind == ClaimKind::measured) return true;
   using Q = Quantity;
-  const bool has_no_rates = slips(scene);
+  const bool has_no_rates = loses_energy_inside(scene);
   return std::all_of(claim.lines.begin(), claim.lines.end(), [&](const ClaimLine& line) {
     const auto uses = [&](auto what) {
       return line.equality.left.uses(what) || line.equality.right.uses(what);

@@ -122,7 +122,7 @@ TEST(FigureHand, PutsTheTipWhereThePointerIs) {
       ASSERT_TRUE(touched);  // which tells how it is seen, and the attitude that is kept
       other.camera = touched->camera;
       if (touched->attitude) other.attitude = touched->attitude;
-      const Vec2 there = tip_at_start(other, pane), pointer = there - touched->slip;
+      const Vec2 there = tip_at_start(other, pane), pointer = there - touched->offset;
       const auto grabbed = omega_at(model, t_s, insets[0], pane, pointer.x(), pointer.y());
       ASSERT_TRUE(grabbed);
       const Scene held = put(scene, *grabbed);
