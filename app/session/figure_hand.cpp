@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/figure_hand.h"
 
-#include "app/session/figure_interaction.h"
+#include "app/session/camera_moves.h"
+#include "app/session/omega_drag.h"
 #include "lessons/reader/questions/state_task.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "app/cli/or_fail.h"
 #include "app/page/page.h"
 #include "app/session/accuracy_meter.h"
-#include "app/session/figure_interaction.h"
+#include "app/session/omega_drag.h"
 #include "app/session/page_symbols.h"
 #include "render/figure/make_figure.h"
 #include "render/figure/omega_tip.h"

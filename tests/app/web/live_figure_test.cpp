@@ -2,7 +2,7 @@
 #include "app/web/live_figure.h"
 
 #include "app/page/page.h"
-#include "app/session/figure_interaction.h"
+#include "app/session/camera_moves.h"
 #include "app/web/live_json.h"
 #include "physics/body/euler.h"
 #include "physics/method.h"

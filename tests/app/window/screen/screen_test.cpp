@@ -2,7 +2,7 @@
 #include "app/window/screen/screen.h"
 
 #include "app/export/picture_maker.h"
-#include "app/session/figure_interaction.h"
+#include "app/session/omega_drag.h"
 #include "app/session/steering.h"
 #include "app/window/controls/control_input.h"
 #include "lessons/reader/checks/lesson_check.h"

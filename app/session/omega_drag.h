@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A hand in the figure: the camera is turned, the tip of ω is taken and put elsewhere.
+// The tip of ω in a figure: where it is, and which ω a hand comes to that takes it and puts it elsewhere.
 #pragma once
 
 #include "render/gl/renderer.h"
 #include "render/scene/model/model.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace polhode {
-
-/// The camera turned by a drag of (dx, dy) px, y down, in a picture `height` px high. A drag over the whole
-/// height turns it by half a turn, and what is in front goes with the hand. Elevation stays within ±89°, and
-/// the scale is kept.
-CameraSpec orbited(CameraSpec camera, double dx, double dy, double height);
-/// The camera zoomed by a tenth for each notch of the wheel; zoom stays within 0.25…8.
-CameraSpec zoomed(CameraSpec camera, double notches);
-
-struct CameraPreset {
-  std::string name;  ///< "front", "side", "top", "below", "three-quarter"
-  CameraSpec camera;
-};
-const std::vector<CameraPreset>& camera_presets();
 
 /// Where the tip of ω is in a figure, and in which pane.
 struct TipOnScreen {
