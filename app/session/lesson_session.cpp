@@ -214,7 +214,7 @@ Scene LessonSession::scene_with(const SceneEdits& edits) const {
 }
 
 void LessonSession::make_model_of(const SceneEdits& edits) {
-  model_ = std::make_unique<SceneModel>(make_model(scene_with(edits), Product::page, effort_));
+  model_ = std::make_unique<SceneModel>(make_model(scene_with(edits), ModelFor::page, effort_));
   edits_ = edits;
   ++model_number_;
 }

@@ -8,8 +8,8 @@
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
 #include "physics/method.h"
-#include "render/scene/model/arrow.h"
 #include "render/scene/model/translation.h"
+#include "render/scene/model/transport_arrow.h"
 
 #include <algorithm>
 #include <array>

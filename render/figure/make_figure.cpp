@@ -5,9 +5,9 @@
 #include "physics/exact/powers_of_two.h"
 #include "render/figure/builders/builders.h"
 #include "render/figure/builders/places.h"
-#include "render/figure/frame.h"
 #include "render/figure/omega_tip.h"
 #include "render/figure/orbit_camera.h"
+#include "render/figure/pane_fit.h"
 #include "render/scene/model/translation.h"
 
 #include <algorithm>
@@ -120,9 +120,9 @@ Camera seen_from_center(Camera camera, const Vec3& center_V) {
 }
 
 /// Room for a title above panes that have one.
-FrameMargins margins_of(const Snapshot& m) {
+PaneMargins margins_of(const Snapshot& m) {
   constexpr double kTitle = 0.07;
-  FrameMargins margins;
+  PaneMargins margins;
   if (m.turn || m.model.scene.views.size() > 1) margins.top = kTitle;
   return margins;
 }
@@ -180,19 +180,19 @@ double half_height_of(const Camera& camera) {
 /// side by side have one scale.
 Camera camera_for(const Snapshot& m, double aspect, double least_half_height) {
   const CameraSpec& spec = m.model.scene.camera;
-  const FrameMargins margins = margins_of(m);
+  const PaneMargins margins = margins_of(m);
   const builders::Places places = held_places(m);
-  Frame frame = frame_of(places, spec, aspect, margins);
+  PaneFit fit = pane_fit(places, spec, aspect, margins);
   for (const View view : m.model.scene.views) {
     if (view == m.view || m.turn || drifts(m.model.scene)) continue;
     const builders::Places others = held_places(builders::snapshot_in(m.model, m.t_s, view, m.state));
-    const Frame other = frame_of(others, spec, aspect, margins, frame.radius);
-    frame = frame_of(places, spec, aspect, margins, other.radius);
-    frame.half_tan = std::max(frame.half_tan, other.half_tan);
+    const PaneFit other = pane_fit(others, spec, aspect, margins, fit.radius);
+    fit = pane_fit(places, spec, aspect, margins, other.radius);
+    fit.half_tan = std::max(fit.half_tan, other.half_tan);
   }
   if (least_half_height > 0.0)
-    frame.half_tan *= std::max(1.0, least_half_height / half_height_of(framed(frame, spec)));
-  const Camera camera = framed(frame, spec);
+    fit.half_tan *= std::max(1.0, least_half_height / half_height_of(fitted_camera(fit, spec)));
+  const Camera camera = fitted_camera(fit, spec);
   return translates(m) ? seen_from_center(camera, m.center_V) : camera;
 }
 

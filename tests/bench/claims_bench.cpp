@@ -60,7 +60,7 @@ std::vector<double> live_ms_of_steps(const Lesson& lesson) {
   for (const Stage& stage : lesson.stages)
     for (const Step& step : stage.steps) {
       if (!step.scene) continue;
-      const SceneModel model = make_model(*step.scene, Product::page);
+      const SceneModel model = make_model(*step.scene, ModelFor::page);
       int frame = 0;
       const auto all_values = [&] {
         const double t_s = model.scene.at_s + model.rate * frame++ / kTimes;

@@ -49,7 +49,7 @@ std::vector<Diagnostic> row_diagnostics(const Lesson& lesson, std::string_view f
     if (!number.row || number.row.get() == before) continue;
     before = number.row.get();
     try {
-      const SceneModel model = make_model(before->scene, Product::numbers, effort);
+      const SceneModel model = make_model(before->scene, ModelFor::numbers, effort);
       if (!is_computable(model, before->scene.at_s))
         found.push_back(
             {Severity::error, std::string(file_name), before->place,

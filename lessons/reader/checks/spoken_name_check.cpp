@@ -90,7 +90,7 @@ class SpokenNameCheck {
     alone.beside.clear();
     alone.before = 0;
     try {
-      return live_state(make_model(alone, Product::numbers, effort_), 0);
+      return live_state(make_model(alone, ModelFor::numbers, effort_), 0);
     } catch (const std::domain_error&) {
       return std::nullopt;
     }

@@ -73,7 +73,7 @@ bool is_computable(const SceneModel& model, double t_s);
 /// told to `effort`, and later what the motion costs: it must outlive the model.
 /// @throws std::domain_error if the body, the state or the chosen method cannot serve; and what `effort`
 /// throws
-SceneModel make_model(const Scene& scene, Product product = Product::figure, const Effort& effort = {},
+SceneModel make_model(const Scene& scene, ModelFor use = ModelFor::figure, const Effort& effort = {},
                       double chord_tolerance = kChordTolerance);
 
 }  // namespace polhode

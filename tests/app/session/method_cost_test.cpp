@@ -28,7 +28,7 @@ Scene scene_with(const MotionSpec& motion) {
 }
 
 AccuracyReading meter_of(const Scene& scene, double t_s) {
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   return AccuracyMeter(model).at(model, t_s);
 }
 
@@ -63,7 +63,7 @@ TEST(AccuracyMeter, ErrorAndDriftVanishAtTheStart) {
 // Explicit Euler gains energy at every step, so that the largest drift is the one at the end.
 TEST(AccuracyMeter, TheDriftIsTheLargestOnTheWay) {
   const Scene scene = scene_with({.method = Method::explicit_euler, .step_s = 0.01});
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   const AccuracyMeter meter(model);
   const double t_s = 20;
   const RigidBodyState end = model.motion->at(t_s);
@@ -83,7 +83,7 @@ TEST(AccuracyMeter, TorqueLeavesNothingToCompareWith) {
 
 TEST(AccuracyMeter, BeyondTheReachAllIsNaN) {
   const Scene scene = scene_with({.method = Method::rk4, .step_s = 1e-9});
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   const AccuracyReading meter = AccuracyMeter(model).at(model, 100 * model.motion->max_time_s());
   EXPECT_TRUE(std::isnan(meter.error.value().omega));
   EXPECT_TRUE(std::isnan(meter.drift.T) && std::isnan(meter.ns_per_frame));
@@ -99,11 +99,11 @@ TEST(AccuracyMeter, ABodyAtRestHasATradeToo) {
 TEST(AccuracyMeter, AFrameCostsWhatItsStepsCost) {
   const auto ns_with_step = [](double step_s) {
     const SceneModel model =
-        make_model(scene_with({.method = Method::rk4_projected, .step_s = step_s}), Product::page);
+        make_model(scene_with({.method = Method::rk4_projected, .step_s = step_s}), ModelFor::page);
     static_cast<void>(model.motion->at(2));
     return AccuracyMeter(model).at(model, 1).ns_per_frame;
   };
-  const double frame_s = make_model(scene_with({}), Product::page).rate / 25;
+  const double frame_s = make_model(scene_with({}), ModelFor::page).rate / 25;
   const double ratio = ns_with_step(frame_s / 20'000) / ns_with_step(frame_s / 2000);
   EXPECT_GT(ratio, 4);
   EXPECT_LT(ratio, 25);

@@ -236,7 +236,7 @@ void NumberCheck::check_row_heads(const TextTable& table) {
           const Scene& scene = of_row->row->scene;
           const std::vector<double> times_s =
               statement.of ? std::vector{scene.at_s, 0.0} : std::vector{scene.at_s};
-          const auto wrong = wrong_value(statement, make_model(scene, Product::numbers, effort_), times_s);
+          const auto wrong = wrong_value(statement, make_model(scene, ModelFor::numbers, effort_), times_s);
           if (wrong)
             report_.error(of_row->row->place,
                           "the head of this row says $" + cell[i].text + "$, and on its motion that is " +
@@ -277,7 +277,7 @@ void NumberCheck::check_computed_tables(const RichText& text) {
         models.reserve(numbers.size());
         motions.reserve(numbers.size());
         for (const ComputedNumber* one : numbers) {
-          models.push_back(make_model(one->row->scene, Product::numbers, effort_));
+          models.push_back(make_model(one->row->scene, ModelFor::numbers, effort_));
           motions.emplace_back(models.back(), one->row->scene.at_s, effort_);
           of_rows.push_back(&motions.back());
         }

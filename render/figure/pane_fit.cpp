@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/figure/frame.h"
+#include "render/figure/pane_fit.h"
 
 #include "render/figure/orbit_camera.h"
 
@@ -78,8 +78,8 @@ CameraSpec fitted_spec(const CameraSpec& spec) {
 
 }  // namespace
 
-Frame frame_of(const Places& places, const CameraSpec& spec, double aspect, const FrameMargins& margins,
-               double least_radius) {
+PaneFit pane_fit(const Places& places, const CameraSpec& spec, double aspect, const PaneMargins& margins,
+                 double least_radius) {
   if (places.empty()) return {};
   const Mat3 axes = orbit(fitted_spec(spec), Vec3::Zero(), 1.0).view().topLeftCorner<3, 3>();
   Places seen = places;
@@ -109,11 +109,11 @@ Frame frame_of(const Places& places, const CameraSpec& spec, double aspect, cons
   return {axes.transpose() * target, radius, half_tan};
 }
 
-Camera framed(const Frame& frame, const CameraSpec& spec) {
+Camera fitted_camera(const PaneFit& fit, const CameraSpec& spec) {
   CameraSpec from = spec;
   from.distance = std::max(spec.distance, kNearest);
-  Camera camera = orbit(from, frame.target, frame.radius);
-  camera.fov_y_rad = 2.0 * std::atan(frame.half_tan / spec.zoom);
+  Camera camera = orbit(from, fit.target, fit.radius);
+  camera.fov_y_rad = 2.0 * std::atan(fit.half_tan / spec.zoom);
   return camera;
 }
 
