@@ -80,7 +80,7 @@ Status LiveFigure::read_whole() {
   const std::string file = loaded_->path.string();
   const auto loaded = loaded_of(read_lesson(loaded_->lesson.source, file), file);
   if (!loaded) return failure(loaded.error());
-  const Place place = session_->place();
+  const StepPlace place = session_->place();
   const SceneEdits edits = session_->edits();
   const double t_s = session_->t_s();
   if (Status taken = take(*loaded); !taken) return taken;

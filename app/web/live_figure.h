@@ -106,7 +106,7 @@ class LiveFigure {
   };
   /// What a picture depends on.
   struct Key {
-    Place place;
+    StepPlace place;
     unsigned model_number = 0, lesson_number = 0;
     Size size;
     Picture what = Picture::figure;

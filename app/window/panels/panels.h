@@ -20,7 +20,7 @@ class OutlinePanel {
  private:
   void choose_for_class(PanelContext& context);
 
-  std::optional<Place> scrolled_to_;
+  std::optional<StepPlace> scrolled_to_;
   bool chooses_ = false;  ///< stages for a class are being chosen
 };
 
@@ -129,8 +129,8 @@ class Panels {
   ShowPanel show_;
   QuestionsPanel questions_;
   SavePanel save_;
-  std::pair<Panel, Place> shown_{};  ///< panel and place of the frame before
-  std::string refusal_;              ///< why the last edit was not made; empty: it was
+  std::pair<Panel, StepPlace> shown_{};  ///< panel and place of the frame before
+  std::string refusal_;                  ///< why the last edit was not made; empty: it was
   bool has_focus_ = false;
   bool takes_keys_ = false;
   bool shows_focus_ = false;  ///< the next frame gives it to a control
