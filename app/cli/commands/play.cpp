@@ -64,7 +64,7 @@ class LessonWatch {
     sha256_ = (*loaded)->sha256;
     const auto edited = edited_step(session.lesson(), (*loaded)->lesson);
     session.replace_lesson(*loaded);
-    if (edited) session.go_to({edited->stage, edited->step});
+    if (edited) session.go_to(*edited);
     errors = false_claims((*loaded)->lesson);
   }
 
