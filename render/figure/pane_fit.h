@@ -3,7 +3,7 @@
 // of the pane.
 #pragma once
 
-#include "render/figure/builders/places.h"
+#include "render/figure/builders/extents.h"
 #include "render/figure/camera.h"
 
 namespace polhode {
@@ -21,10 +21,10 @@ struct PaneFit {
 };
 
 /// The narrowest field in which an eye in the direction of `spec` (or that of its `fitted` camera),
-/// `distance` radii from the middle, sees all places; exact for each of them. An eye that would stand among
+/// `distance` radii from the middle, sees all extents; exact for each of them. An eye that would stand among
 /// them stands outside.
 /// @param least_radius of what is held: of panes that are to have one scale, the largest
-PaneFit pane_fit(const builders::Places& places, const CameraSpec& spec, double aspect,
+PaneFit pane_fit(const builders::Extents& extents, const CameraSpec& spec, double aspect,
                  const PaneMargins& margins, double least_radius = 0);
 
 /// Looks from the direction of `spec` itself at the frame.

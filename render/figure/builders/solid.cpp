@@ -2,8 +2,8 @@
 // The body itself as lit meshes: box, ellipsoid, cylinder, T-handle.
 #include "physics/body/euler.h"
 #include "render/figure/builders/builders.h"
+#include "render/figure/builders/extents.h"
 #include "render/figure/builders/parts.h"
-#include "render/figure/builders/places.h"
 #include "render/palette.h"
 #include "render/scene/model/heavy_top_body.h"
 

@@ -2,7 +2,7 @@
 // What a scene can show. To add an overlay: its row here, and a file with the builder that draws it, which is
 // named in a list: kBuilders in render/figure/builders/builders.h of what is drawn in space, kKinds in
 // render/drawing/diagrams/diagram_paper.h of what is drawn on paper. In space it has its label in
-// render/figure/builders/labels.cpp, and in places.cpp where it can come. A stage of
+// render/figure/builders/labels.cpp, and in extents.cpp where it can come. A stage of
 // docs/overlays/overlays.md says what it is and shows it, with a picture beside it; lessons/FORMAT.md lists
 // its name, and has a line of it where there is more to know.
 #pragma once

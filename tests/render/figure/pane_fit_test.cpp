@@ -15,7 +15,7 @@ namespace polhode {
 namespace {
 
 using builders::ball_at;
-using builders::Places;
+using builders::Extents;
 using O = Overlay;
 
 /// Where points lie in a pane, in parts of its height: x from 0 to the aspect, y from 0 to 1.
@@ -142,16 +142,16 @@ TEST(PaneFit, IsFilledByTheFilm) {
 
 TEST(PaneFit, OfABallIsExact) {  // the outline of a ball that is not in the middle of the view is wider
   const CameraSpec spec{.azimuth_rad = 0.7, .elevation_rad = 0.4, .distance = 2.2};
-  const Places places = {ball_at({0.3, -0.2, 0.5}, 0.6), ball_at({-0.5, 0.4, -0.1}, 0.2)};
+  const Extents extents = {ball_at({0.3, -0.2, 0.5}, 0.6), ball_at({-0.5, 0.4, -0.1}, 0.2)};
   const PaneMargins margins{.side = 0.02, .top = 0.1, .bottom = 0.04};
   for (const double aspect : {2.0, 0.5}) {
-    const Camera camera = fitted_camera(pane_fit(places, spec, aspect, margins), spec);
+    const Camera camera = fitted_camera(pane_fit(extents, spec, aspect, margins), spec);
     double left = 1, right = 0, top = 1, bottom = 0;
-    for (const auto& place : places)
+    for (const auto& extent : extents)
       for (int k = 0; k < 20000; ++k) {
         const double z = 1.0 - (2.0 * k + 1.0) / 20000, r = std::sqrt(1.0 - z * z), turn = 2.39996323 * k;
         const auto at =
-            project(camera, place.center + place.spread * Vec3(r * std::cos(turn), r * std::sin(turn), z),
+            project(camera, extent.center + extent.spread * Vec3(r * std::cos(turn), r * std::sin(turn), z),
                     1.0 * aspect, 1.0);
         ASSERT_TRUE(at);
         left = std::min(left, at->x() / aspect), right = std::max(right, at->x() / aspect);
