@@ -135,7 +135,9 @@ class Panels {
   bool takes_keys_ = false;
   bool shows_focus_ = false;  ///< the next frame gives it to a control
   int steps_ = 0;             ///< of the focus, in the next frame
-  int beside_ = 0;            ///< it was asked for what is beside this:
+  /// 1 or -1: the frame before asked for the control to the right or left of the one of id `stepped_from_`;
+  /// if the focus is still there, the next is above or below it. 0: nothing was asked for.
+  int beside_ = 0;
   unsigned stepped_from_ = 0;
   bool awaits_text_ = false;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an equality depends on: only that is tried, and said in a counterexample. Internal to lessons/claims/.
+// What an equality depends on. A search for counterexamples varies these quantities alone, and a
+// counterexample names no others. Internal to lessons/claims/.
 #pragma once
 
 #include "lessons/claims/proof/proof.h"

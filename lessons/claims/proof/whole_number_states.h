@@ -7,18 +7,19 @@
 
 namespace polhode {
 
-/// The first state in which the sides are not so related, and the premise, if there is one, holds; with a
-/// premise, or where an order is stated or given, also among some hundred states of random small numbers. In
-/// words; what neither depends on under these laws is left out. `tried`: in how many states both sides
-/// are defined.
+/// The first state, in words, in which the premise holds and the sides are not so related: "I = (2, 3, 4)"
+/// for I1 = I2. It names only what sides and premise depend on under these laws. States of small whole
+/// numbers are tried in order. Some hundred states of random whole numbers follow where there is a premise,
+/// or where an inequality is stated or given. `premise`: null if there is none. `tried`: in how many states
+/// both sides are defined.
 std::optional<Counterexample> first_whole_number_state(const Equality& sides, const Equality* premise,
                                                        LawsAssumed laws, const Given& given = {},
                                                        Relation relation = Relation::equal,
                                                        int* tried = nullptr);
 
-/// The first state in which two sides, expanded in what is small, differ through the order that is given;
-/// what is small has an ε, "ω = (ε, 1, 2ε)", and of the sides there is what comes first, "−0.5ε".
-/// `differ_at`: the power of ε at which they do. Nothing if none of those tried is one.
+/// The first state in which two sides, expanded in what is small, differ at a power of ε up to the order that
+/// is given. In the text a small quantity has an ε, "ω = (ε, 1, 2ε)"; each side is its lowest term, "−0.5ε".
+/// `differ_at`: the lowest power of ε at which they differ. Nothing if they differ in no state that is tried.
 std::optional<Counterexample> first_state_in_series(const Equality& sides, LawsAssumed laws,
                                                     const Given& given, int& differ_at);
 

@@ -32,7 +32,7 @@ double letters_of(const std::string& tex);
 /// All that the scene shows in this view, names included. Without torque that is where an exact motion with
 /// its T and L can ever bring it, which needs no motion to be computed; of a motion that is driven or
 /// computed by steps, and of a lesson's own marks, it is sampled over the scene's span. A driven motion may
-/// grow: it is sampled until its vectors are a third longer than the longest up to the still.
+/// grow: states whose ω is more than a third longer than it ever is up to the still are left out.
 Extents extents_of(const Snapshot& m);
 
 /// Of a list about `center`.
