@@ -15,8 +15,7 @@ namespace polhode {
 /// "dT/dt = 2 dT/dt". Or if one of several terms is 0 there: "L = L + dT/dt omega". A suspect line is decided
 /// all the same if one of these is so:
 /// - It holds under less, with sides that are not 0 there: as an identity, in every motion, or without what
-/// is
-///   given. Without torque both sides of "dL/dt = d*L/dt + omega x L" are 0, but it is an identity.
+///   is given. Without torque both sides of "dL/dt = d*L/dt + omega x L" are 0, but it is an identity.
 /// - It holds under another law, once that law is written into the line: N1/(w2 w3) is added to each I2 - I3,
 ///   which stands for I1 w1'/(w2 w3), and N is taken from each omega x L.
 /// - It is a line of the lesson's solution, multiplied out, and none of its terms cancel.
