@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode completion: what a shell needs to complete the program's command line.
-#include "app/cli/completion.h"
-
 #include "app/cli/commands/commands.h"
+#include "app/cli/shell_completion.h"
 #include "base/spelling.h"
 
 #include <fmt/format.h>

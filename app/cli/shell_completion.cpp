@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/completion.h"
+#include "app/cli/shell_completion.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

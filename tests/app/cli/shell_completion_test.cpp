@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Help, manual pages and completion know the same commands and options: each is read as its user reads it.
-#include "app/cli/completion.h"
+#include "app/cli/shell_completion.h"
 
 #include "app/cli/commands/commands.h"
 #include "tests/app/run_program.h"
