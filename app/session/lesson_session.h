@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is going on while a student walks through a lesson: the place, the time, what was changed of the
 // scene, what was answered. No window, no files, no clock of its own: a window shows it and tells it what was
-// done; a test does the same.
+// done; a test does the same. The bodies of its members: lesson_session.cpp, of those before an audience
+// presenting.cpp, of those of a counterexample shown_counterexample.cpp.
 #pragma once
 
 #include "app/page/loaded_lesson.h"
