@@ -81,6 +81,21 @@ TEST(Sources, DefineEachTypeInOneHeader) {
     ADD_FAILURE() << finding.file << ": " << finding.message << ": give one of them another name";
 }
 
+// A test that no target has passes for ever.
+TEST(Sources, OfTestsAreBuilt) {
+  std::string listed;
+  for (const Source& list : sources({"CMakeLists.txt"}))
+    if (list.path.starts_with("tests/")) listed += list.text;
+  std::size_t count = 0;
+  for (const Source& file : sources({"_test.cpp"})) {
+    ++count;
+    const std::string name = fs::path(file.path).filename().string();
+    const auto is_listed = [&](char before) { return listed.find(before + name) != listed.npos; };
+    EXPECT_TRUE(is_listed(' ') || is_listed('/')) << file.path << " is in no CMakeLists.txt";
+  }
+  EXPECT_GT(count, 200u);
+}
+
 TEST(Sources, AreFewInEachFolder) {
   constexpr int kMost = 30;  // as many as are taken in at a glance, in the list that an editor shows
   std::map<std::string, int> counts;
