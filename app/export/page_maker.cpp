@@ -122,7 +122,7 @@ class PageMaker : public PictureMaker {
       before.push_back({.step = step});
       if (!scene) continue;
       if (known == models_before_.size())
-        models_before_.push_back(make_model(*scene, Product::page, context_.effort));
+        models_before_.push_back(make_model(*scene, ModelFor::page, context_.effort));
       const SceneModel& model = models_before_[known++];
       before.back().model = &model;
       before.back().t_s = context_.options.at_s.value_or(still_time_s(*scene));
@@ -144,7 +144,7 @@ class PageMaker : public PictureMaker {
   }
 
   static PageEntrance entrance_of(std::optional<double> opacity) {
-    if (!opacity) return Standing{};
+    if (!opacity) return StandingStill{};
     return FadingIn{*opacity};
   }
 
@@ -190,7 +190,7 @@ class PageMaker : public PictureMaker {
 
   MakerContext context_;
   SpeechText speech_;
-  ModelOfScene models_{Product::page, context_.effort};
+  ModelOfScene models_{ModelFor::page, context_.effort};
   const Stage* stage_before_ = nullptr;
   int first_before_ = 0;
   std::deque<SceneModel> models_before_;  ///< of the steps from there that are on the same page

@@ -110,9 +110,9 @@ class TextColumn {
   TextColumn with_notes_after(int before) const;
   /// A text as set_lines has it, small and quiet.
   ColumnPiece small_words(const std::string& text) const;
-  /// The short line above all footnotes.
   /// A source, with the key that it is cited by.
   Result<ColumnPiece> reference(const Reference& reference) const;
+  /// The short line above all footnotes.
   ColumnPiece footnote_rule() const;
   Result<ColumnPiece> question(const Ask& ask) const;
   /// A formula, and behind it a chip with the word, or below it where there is no room.

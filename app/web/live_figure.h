@@ -24,7 +24,7 @@ namespace polhode {
 
 class LiveFigure {
  public:
-  enum class Picture { figure, page };
+  enum class Picture { figure, slide };
 
   LiveFigure();
   LiveFigure(const LiveFigure&) = delete;
@@ -106,7 +106,7 @@ class LiveFigure {
   };
   /// What a picture depends on.
   struct Key {
-    Place place;
+    StepPlace place;
     unsigned model_number = 0, lesson_number = 0;
     Size size;
     Picture what = Picture::figure;

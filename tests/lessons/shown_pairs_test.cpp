@@ -3,8 +3,8 @@
 // lessons, against values that are computed here from the equation as it is printed, not from its claim.
 #include "lessons/claims/live_claims.h"
 #include "physics/body/euler.h"
-#include "render/scene/model/arrow.h"
 #include "render/scene/model/translation.h"
+#include "render/scene/model/transport_arrow.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // What holds a heavy top: a stand below the pivot, the axle through it, and the weight that turns it.
 #include "render/figure/builders/builders.h"
 #include "render/palette.h"
-#include "render/scene/model/rotor.h"
+#include "render/scene/model/heavy_top_body.h"
 
 #include <cmath>
 #include <numbers>
@@ -79,10 +79,10 @@ WeightEnds weight_ends(const Snapshot& m, const Camera& camera, const Vec3& cent
 
 void add_pivot(const Snapshot& m, const Camera& camera, DrawList& list) {
   if (!m.shows(Overlay::pivot)) return;
-  const Rotor rotor = rotor_of(m.model.scene, *heavy_top_of(m.model.scene));
+  const HeavyTopBody body = heavy_top_body(m.model.scene, *heavy_top_of(m.model.scene));
   const double scale = scene_units_per_m(m);
-  const Vec3 center_V = m.q_VB * (scale * rotor.center_B);
-  const Vec3 half = 0.5 * scale * rotor.shape.size_m;
+  const Vec3 center_V = m.q_VB * (scale * body.center_B);
+  const Vec3 half = 0.5 * scale * body.shape.size_m;
   add_axle(center_V.normalized(), center_V.norm() + half.minCoeff() + 0.1, list);
   if (m.view == View::space) add_stand(list);
   constexpr double kBelow = 0.24;

@@ -2,7 +2,7 @@
 // Which way a body spins about its axis 3: an arrow bent about that axis.
 #include "render/figure/builders/builders.h"
 #include "render/palette.h"
-#include "render/scene/model/rotor.h"
+#include "render/scene/model/heavy_top_body.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ Hoops hoops_over(const Snapshot& m) {
   constexpr double kGap = 0.06, kPart = 0.6, kLeast = 0.12;
   const double scale = scene_units_per_m(m);
   const HeavyTop* top = m.shows(Overlay::pivot) ? heavy_top_of(m.model.scene) : nullptr;
-  const Vec3 center_B = top ? rotor_of(m.model.scene, *top).center_B : Vec3(Vec3::Zero());
-  const Vec3 half = 0.5 * scale * (top ? rotor_of(m.model.scene, *top).shape : m.model.solid).size_m;
+  const Vec3 center_B = top ? heavy_top_body(m.model.scene, *top).center_B : Vec3(Vec3::Zero());
+  const Vec3 half = 0.5 * scale * (top ? heavy_top_body(m.model.scene, *top).shape : m.model.solid).size_m;
   return {scale * center_B.z(), half.z() + kGap, std::max(kLeast, kPart * std::min(half.x(), half.y()))};
 }
 

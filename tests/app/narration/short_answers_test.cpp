@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/short_answers.h"
 
-#include "app/page/loaded_lesson.h"
+#include "lessons/reader/checks/lesson_check.h"
 
 #include <gtest/gtest.h>
 

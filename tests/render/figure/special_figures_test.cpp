@@ -241,7 +241,7 @@ TEST(Transport, ClosesATriangleAtTheTipOfA) {
     EXPECT_EQ(star->tail, A->tip);
     EXPECT_LT((turning->tail - star->tip).norm(), kRounding);
     EXPECT_EQ(sum->tail, A->tip);
-    EXPECT_LT((sum->tip - turning->tip).norm(), 1e-10);  // difference quotients: arrow_test.cpp
+    EXPECT_LT((sum->tip - turning->tip).norm(), 1e-10);  // difference quotients: transport_arrow_test.cpp
   }
 }
 

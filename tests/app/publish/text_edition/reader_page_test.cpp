@@ -2,8 +2,8 @@
 // The text edition, as `polhode export --reader` writes it.
 #include "app/narration/speech_text.h"
 #include "app/narration/verdict_row.h"
-#include "app/page/loaded_lesson.h"
 #include "app/publish/html_text.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/publish/example_deck.h"
 #include "tests/app/publish/text_edition/example_edition.h"
 #include "tests/support/paths.h"

@@ -3,31 +3,31 @@
 // of the pane.
 #pragma once
 
-#include "render/figure/builders/places.h"
+#include "render/figure/builders/extents.h"
 #include "render/figure/camera.h"
 
 namespace polhode {
 
 /// What is free of the pane, of its height and width on each side.
-struct FrameMargins {
+struct PaneMargins {
   double side = 0.025, top = 0.035, bottom = 0.035;
 };
 
 /// How a pane is to be filled: which point is in its middle, how far the eye stands, how wide it looks.
-struct Frame {
+struct PaneFit {
   Vec3 target{0, 0, 0};
   double radius = 1;    ///< of what is held, scene units: the eye stands `distance` of them away
   double half_tan = 1;  ///< of half the field of view, vertical, before the camera's zoom
 };
 
 /// The narrowest field in which an eye in the direction of `spec` (or that of its `fitted` camera),
-/// `distance` radii from the middle, sees all places; exact for each of them. An eye that would stand among
+/// `distance` radii from the middle, sees all extents; exact for each of them. An eye that would stand among
 /// them stands outside.
 /// @param least_radius of what is held: of panes that are to have one scale, the largest
-Frame frame_of(const builders::Places& places, const CameraSpec& spec, double aspect,
-               const FrameMargins& margins, double least_radius = 0);
+PaneFit pane_fit(const builders::Extents& extents, const CameraSpec& spec, double aspect,
+                 const PaneMargins& margins, double least_radius = 0);
 
 /// Looks from the direction of `spec` itself at the frame.
-Camera framed(const Frame& frame, const CameraSpec& spec);
+Camera fitted_camera(const PaneFit& fit, const CameraSpec& spec);
 
 }  // namespace polhode

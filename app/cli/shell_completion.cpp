@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/completion.h"
+#include "app/cli/shell_completion.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,20 +31,20 @@ std::string quoted(const std::string& text) { return "'" + replaced(text, "'", R
 
 std::string fish_quoted(const std::string& text) { return "'" + escaped(text, R"(\')") + "'"; }
 
-std::vector<std::string> names_of(const std::vector<Command>& commands) {
+std::vector<std::string> names_of(const std::vector<ProgramCommand>& commands) {
   std::vector<std::string> names;
-  for (const Command& command : commands) names.push_back(command.name);
+  for (const ProgramCommand& command : commands) names.push_back(command.name);
   return names;
 }
 
-std::vector<const CommandOption*> arguments_of(const Command& command) {
+std::vector<const CommandOption*> arguments_of(const ProgramCommand& command) {
   std::vector<const CommandOption*> arguments;
   for (const CommandOption& option : command.options)
     if (option.is_argument()) arguments.push_back(&option);
   return arguments;
 }
 
-std::vector<std::string> all_spellings(const Command& command, bool only_valued) {
+std::vector<std::string> all_spellings(const ProgramCommand& command, bool only_valued) {
   std::vector<std::string> all = only_valued ? std::vector<std::string>{} : spellings_of(kHelpFlag.names);
   for (const CommandOption& option : command.options) {
     if (option.is_argument() || (only_valued && option.is_flag())) continue;
@@ -116,7 +116,7 @@ constexpr const char* kBashTail = R"(    *) return ;;
 complete -F _polhode polhode
 )";
 
-std::string bash_case_of(const Command& command) {
+std::string bash_case_of(const ProgramCommand& command) {
   const auto arguments = arguments_of(command);
   const std::vector<std::string> valued = all_spellings(command, true);
   std::string text = fmt::format("    {})\n      options={}\n      valued={}\n", command.name,
@@ -140,7 +140,7 @@ std::string bash_case_of(const Command& command) {
   return text;
 }
 
-std::string bash_script(const std::vector<Command>& commands) {
+std::string bash_script(const std::vector<ProgramCommand>& commands) {
   std::vector<std::string> first = names_of(commands);
   for (const CommonFlag& flag : {kHelpFlag, kVersionFlag})
     for (std::string& spelling : spellings_of(flag.names)) first.push_back(std::move(spelling));
@@ -149,7 +149,7 @@ std::string bash_script(const std::vector<Command>& commands) {
       "    _polhode_offer \"$1\" \"$current\" nothing {}\n    return\n  fi\n  local repeated=no\n",
       quoted(fmt::format("{}", fmt::join(first, " "))));
   text += "  case ${words[0]} in\n";
-  for (const Command& command : commands) text += bash_case_of(command);
+  for (const ProgramCommand& command : commands) text += bash_case_of(command);
   return text + kBashTail;
 }
 
@@ -205,7 +205,7 @@ std::string zsh_argument(const CommandOption& argument) {
                                         zsh_text(argument.names), zsh_action(argument.offered))));
 }
 
-std::string zsh_script(const std::vector<Command>& commands) {
+std::string zsh_script(const std::vector<ProgramCommand>& commands) {
   std::string text = R"zsh(#compdef polhode
 # Completion of polhode in zsh. Made by: polhode completion zsh
 
@@ -224,7 +224,7 @@ _polhode() {
   typeset -A opt_args
   commands=(
 )zsh";
-  for (const Command& command : commands)
+  for (const ProgramCommand& command : commands)
     text +=
         fmt::format("    {}\n", quoted(fmt::format("{}:{}", command.name, escaped(command.about, R"(\:)"))));
   text += fmt::format("  )\n  _arguments -C{}{} '1:command:->command' '*::argument:->argument'\n",
@@ -232,7 +232,7 @@ _polhode() {
   text +=
       "  case $state in\n    command) _describe command commands; return ;;\n    argument) ;;\n"
       "    *) return ;;\n  esac\n  case $words[1] in\n";
-  for (const Command& command : commands) {
+  for (const ProgramCommand& command : commands) {
     text += fmt::format("    {})\n      _arguments{}", command.name, zsh_flag(kHelpFlag));
     for (const CommandOption& option : command.options)
       text += option.is_argument() ? zsh_argument(option) : zsh_option(option);
@@ -259,7 +259,7 @@ std::string fish_names(const std::vector<std::string>& spellings) {
   return names;
 }
 
-std::string fish_lines_of(const Command& command) {
+std::string fish_lines_of(const ProgramCommand& command) {
   const std::string seen = "__fish_seen_subcommand_from " + command.name;
   std::string text = fmt::format("\ncomplete -c polhode -n {} -a {} -d {}\n", "__fish_use_subcommand",
                                  command.name, fish_quoted(command.about));
@@ -282,9 +282,9 @@ std::string fish_lines_of(const Command& command) {
   return text;
 }
 
-std::string fish_script(const std::vector<Command>& commands) {
+std::string fish_script(const std::vector<ProgramCommand>& commands) {
   std::string valued;
-  for (const Command& command : commands)
+  for (const ProgramCommand& command : commands)
     for (const std::string& spelling : all_spellings(command, true))
       if ((valued + " ").find(" " + spelling + " ") == valued.npos) valued += " " + spelling;
   std::string text = fmt::format(R"(# Completion of polhode in fish. Made by: polhode completion fish
@@ -315,7 +315,7 @@ complete -c polhode -f
   for (const CommonFlag& flag : {kHelpFlag, kVersionFlag})
     text += fmt::format("complete -c polhode -n __fish_use_subcommand{} -d {}\n",
                         fish_names(spellings_of(flag.names)), fish_quoted(flag.about));
-  for (const Command& command : commands) text += fish_lines_of(command);
+  for (const ProgramCommand& command : commands) text += fish_lines_of(command);
   return text;
 }
 
@@ -326,7 +326,7 @@ const std::vector<std::string>& shell_names() {
   return names;
 }
 
-std::string completion_script(Shell shell, const std::vector<Command>& commands) {
+std::string completion_script(Shell shell, const std::vector<ProgramCommand>& commands) {
   switch (shell) {
     case Shell::bash:
       return bash_script(commands);

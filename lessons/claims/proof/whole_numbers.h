@@ -26,7 +26,7 @@ struct OtherQuantities {
   Whole m, h, k;
   Whole3 ddv, ddA, dF;
 };
-struct SmallNumbers {
+struct WholeNumbers {
   Whole3 I, w, dw, ddw, N, dN;
   OtherQuantities other;
   std::array<Whole, 4> q;
@@ -34,45 +34,46 @@ struct SmallNumbers {
 };
 
 template <class N>
-StateNumbers<N> as(const SmallNumbers& small) {
+StateNumbers<N> as(const WholeNumbers& whole) {
   StateNumbers<N> numbers;
   const auto copy = [](const auto& from, auto& into) {
     for (std::size_t i = 0; i < from.size(); ++i) into[i] = N(from[i]);
   };
-  copy(small.I, numbers.I);
-  copy(small.w, numbers.w);
-  copy(small.dw, numbers.dw);
-  copy(small.ddw, numbers.ddw);
-  copy(small.N, numbers.N_B);
-  copy(small.dN, numbers.dN_B);
-  copy(small.other.J, numbers.J);
-  copy(small.other.v, numbers.v_S);
-  copy(small.other.dv, numbers.dv_S);
-  copy(small.other.A, numbers.A_S);
-  copy(small.other.dA, numbers.dA_S);
-  copy(small.other.F, numbers.F_S);
-  copy(small.other.ddv, numbers.ddv_S);
-  copy(small.other.ddA, numbers.ddA_S);
-  copy(small.other.dF, numbers.dF_S);
-  numbers.m = N(small.other.m);
-  numbers.h = N(small.other.h);
-  numbers.k = N(small.other.k);
-  copy(small.q, numbers.q);
+  copy(whole.I, numbers.I);
+  copy(whole.w, numbers.w);
+  copy(whole.dw, numbers.dw);
+  copy(whole.ddw, numbers.ddw);
+  copy(whole.N, numbers.N_B);
+  copy(whole.dN, numbers.dN_B);
+  copy(whole.other.J, numbers.J);
+  copy(whole.other.v, numbers.v_S);
+  copy(whole.other.dv, numbers.dv_S);
+  copy(whole.other.A, numbers.A_S);
+  copy(whole.other.dA, numbers.dA_S);
+  copy(whole.other.F, numbers.F_S);
+  copy(whole.other.ddv, numbers.ddv_S);
+  copy(whole.other.ddA, numbers.ddA_S);
+  copy(whole.other.dF, numbers.dF_S);
+  numbers.m = N(whole.other.m);
+  numbers.h = N(whole.other.h);
+  numbers.k = N(whole.other.k);
+  copy(whole.q, numbers.q);
   for (std::size_t i = 0; i < kMaxConstants; ++i)
-    numbers.constants[i] = N(kConstants[(small.first_constant + i) % kConstants.size()]);
+    numbers.constants[i] = N(kConstants[(whole.first_constant + i) % kConstants.size()]);
   return numbers;
 }
 
 /// Calls `use` with every combination that makes a difference until it returns true.
-void for_each_small_state(const Dependence& depends, const std::function<bool(const SmallNumbers&)>& use);
+void for_each_whole_number_state(const Dependence& depends,
+                                 const std::function<bool(const WholeNumbers&)>& use);
 
 /// Every body and each of the other quantities, in one state that turns and has a torque.
-std::vector<SmallNumbers> small_bodies();
+std::vector<WholeNumbers> whole_number_bodies();
 
 /// Small whole numbers of either sign, all of them at once.
-SmallNumbers mixed_numbers(std::mt19937_64& random);
+WholeNumbers mixed_numbers(std::mt19937_64& random);
 
 /// The same with numbers of very different sizes: for bodies as flat and as long as inequalities ask for.
-SmallNumbers uneven_numbers(std::mt19937_64& random);
+WholeNumbers uneven_numbers(std::mt19937_64& random);
 
 }  // namespace polhode

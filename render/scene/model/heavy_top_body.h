@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-struct Rotor {
+struct HeavyTopBody {
   Shape shape;
   Vec3 center_B;  ///< of mass, m, from the pivot
 };
@@ -19,6 +19,6 @@ const HeavyTop* heavy_top_of(const Scene& scene);
 /// The centre of mass lies at l = mgr/(m g) along the top's axis. A body keeps its shape. One known by its
 /// moments alone, which are those about the pivot, is the disc that has them if I1 = I2 and the axis is along
 /// 3: I3 = m d²/8, I1 = m(d²/16 + h²/12 + l²), with h = d/20 if that leaves no height; else the box.
-Rotor rotor_of(const Scene& scene, const HeavyTop& top);
+HeavyTopBody heavy_top_body(const Scene& scene, const HeavyTop& top);
 
 }  // namespace polhode

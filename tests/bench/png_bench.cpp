@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// png_figures FILE.png TURNS: that picture encoded anew, by `--png fast`, by `--png small`, and by libpng as
+// png_bench FILE.png TURNS: that picture encoded anew, by `--png fast`, by `--png small`, and by libpng as
 // it is by default, in turns. One line of JSON with the median CPU ms and the bytes of each.
 #include "render/image/png.h"
 #include "tests/bench/timing.h"
@@ -77,13 +77,13 @@ int main(int argc, char** argv) {
   int turns = 0;
   if (argc == 3) std::from_chars(argv[2], argv[2] + std::strlen(argv[2]), turns);
   if (turns < 1) {
-    std::fputs("usage: png_figures FILE.png TURNS\n", stderr);
+    std::fputs("usage: png_bench FILE.png TURNS\n", stderr);
     return 2;
   }
   try {
     polhode::bench::run(argv[1], turns);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "png_figures: %s\n", error.what());
+    std::fprintf(stderr, "png_bench: %s\n", error.what());
     return 1;
   }
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Measures the figures of the window, each against what is required, and prints one table.
+"""Runs the benchmarks of the window, each against what is required, and prints one table.
 
-    cmake --preset bench && cmake --build --preset bench && tests/bench/window_figures.py
+    cmake --preset bench && cmake --build --preset bench && tests/bench/window_benchmarks.py
 
 `polhode play` under Xvfb, by its own log of frames (POLHODE_FRAME_LOG): a line "t cpu_ms moving full" for each. Needs
 Xvfb, xdotool, and a machine with nothing else to do. Takes some 2 minutes; --quick some 40 s.
@@ -16,7 +16,7 @@ import sys
 import tempfile
 import time
 
-from figure_table import Table
+from benchmark_table import Table
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STAGES = [("euler-equations", "frames"), ("euler-equations", "tensor-turns"), ("euler-equations", "components"),
@@ -87,7 +87,7 @@ class Play:
             if holds(frames):
                 return frames
             if time.monotonic() > end or self.process.poll() is not None:
-                sys.exit("window_figures: polhode play does not do what is waited for")
+                sys.exit("window_benchmarks: polhode play does not do what is waited for")
             time.sleep(0.005)
 
     def wait_for_rest(self):
@@ -158,7 +158,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="fewer stages, shorter")
     options = parser.parse_args()
     if not options.polhode.exists():
-        sys.exit(f"window_figures: {options.polhode} is not there; build the preset bench first")
+        sys.exit(f"window_benchmarks: {options.polhode} is not there; build the preset bench first")
     seconds, stages = (2, STAGES[:4:3]) if options.quick else (5, STAGES)
 
     table = Table()

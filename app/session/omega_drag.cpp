@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "app/session/figure_interaction.h"
+#include "app/session/omega_drag.h"
 
-#include "app/session/scene_edits.h"
-#include "base/angles.h"
 #include "physics/body/euler.h"
 #include "physics/geometry/poinsot.h"
 #include "render/figure/omega_tip.h"
@@ -184,8 +182,8 @@ void keep_frame(CameraSpec& camera, const SceneModel& model, const Inset& inset,
 }
 
 /// From where the tip is shown to where it is drawn as the present motion begins anew.
-Vec2 slip_of(const SceneModel& model, double t_s, const Inset& inset, std::size_t pane,
-             const std::optional<AttitudeSpec>& attitude, const CameraSpec& camera, const Vec3& w_B) {
+Vec2 offset_of(const SceneModel& model, double t_s, const Inset& inset, std::size_t pane,
+               const std::optional<AttitudeSpec>& attitude, const CameraSpec& camera, const Vec3& w_B) {
   const double aspect = aspect_of(inset.place);
   const PixelRect rect = rect_of(inset.figure.panes[pane], inset.place);
   const auto shown = drawn_omega(model, t_s, pane, aspect);
@@ -196,36 +194,6 @@ Vec2 slip_of(const SceneModel& model, double t_s, const Inset& inset, std::size_
 }
 
 }  // namespace
-
-CameraSpec orbited(CameraSpec camera, double dx, double dy, double height) {
-  constexpr double kSteepest = 89.0 * kRadiansPerDegree;
-  if (!(height > 0.0) || !std::isfinite(dx) || !std::isfinite(dy)) return camera;
-  const double per_px = std::numbers::pi / height;
-  if (dx != 0.0 || dy != 0.0) camera = turned_from_here(camera);
-  camera.azimuth_rad = std::remainder(camera.azimuth_rad - dx * per_px, 2.0 * std::numbers::pi);
-  camera.elevation_rad = std::clamp(camera.elevation_rad + dy * per_px, -kSteepest, kSteepest);
-  return camera;
-}
-
-CameraSpec zoomed(CameraSpec camera, double notches) {
-  constexpr double kWidest = 0.25, kNearest = 8.0, kNotch = 1.1;
-  if (!std::isfinite(notches)) return camera;
-  camera.zoom = std::clamp(camera.zoom * std::pow(kNotch, notches), kWidest, kNearest);
-  return camera;
-}
-
-const std::vector<CameraPreset>& camera_presets() {
-  const auto from = [](double azimuth_deg, double elevation_deg) {
-    return CameraSpec{.azimuth_rad = azimuth_deg * kRadiansPerDegree,
-                      .elevation_rad = elevation_deg * kRadiansPerDegree};
-  };
-  static const std::vector<CameraPreset> kPresets = {{"three-quarter", CameraSpec{}},
-                                                     {"front", from(0, 0)},
-                                                     {"side", from(90, 0)},
-                                                     {"top", from(-90, 89)},
-                                                     {"below", from(-90, -89)}};
-  return kPresets;
-}
 
 std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets) {
   std::vector<TipOnScreen> tips;
@@ -263,14 +231,14 @@ std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const 
     camera.azimuth_rad =
         std::remainder(camera.azimuth_rad + turned_at_start(model.scene, now), 2.0 * std::numbers::pi);
   keep_frame(camera, model, inset, pane, attitude, now.w_B);
-  const Vec2 slip = slip_of(model, t_s, inset, pane, attitude, camera, now.w_B);
+  const Vec2 offset = offset_of(model, t_s, inset, pane, attitude, camera, now.w_B);
   const Vec3 semi_axes = energy_ellipsoid_semi_axes(I, two_T);
   const Vec3 start = now.w_B.cwiseQuotient(semi_axes).normalized();
   if (!start.allFinite()) return std::nullopt;
-  OmegaSearch search(model, inset, pane, Vec2(x, y) + slip, semi_axes, attitude, camera);
+  OmegaSearch search(model, inset, pane, Vec2(x, y) + offset, semi_axes, attitude, camera);
   const auto w0_B = search.from(start);
   if (!w0_B) return std::nullopt;
-  return GrabbedOmega{*w0_B, attitude, camera, slip};
+  return GrabbedOmega{*w0_B, attitude, camera, offset};
 }
 
 }  // namespace polhode

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "render/figure/builders/places.h"
+#include "render/figure/builders/extents.h"
 
 #include "physics/analysis/euler_terms.h"
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
-#include "render/scene/model/arrow.h"
 #include "render/scene/model/translation.h"
+#include "render/scene/model/transport_arrow.h"
 
 #include <algorithm>
 #include <array>
@@ -134,49 +134,49 @@ class Film {
   bool is_driven() const { return is_driven_; }
 
   /// A vector that the body has in this state, in body components.
-  void add(const RigidBodyState& state, const Vec3& v_B, double radius, Places& places,
+  void add(const RigidBodyState& state, const Vec3& v_B, double radius, Extents& extents,
            double letters = 0) const {
     const auto add_at = [&](const Vec3& from_V, const Vec3& v_V) {
-      places.push_back(ball_at(from_V + v_V, radius));
-      if (letters > 0) places.push_back(name_beyond(from_V + v_V, from_V, letters));
+      extents.push_back(ball_at(from_V + v_V, radius));
+      if (letters > 0) extents.push_back(name_beyond(from_V + v_V, from_V, letters));
     };
     if (m_.view == View::body) return add_at(Vec3::Zero(), v_B);
     if (is_driven_) return add_at(center_V(state), state.q_SB * v_B);
     const Vec3 L_B = angular_momentum_B(m_.I(), state.w_B).stableNormalized();
     const double along = v_B.dot(L_B);
-    add_ring(along, (v_B - along * L_B).norm(), radius, places);
+    add_ring(along, (v_B - along * L_B).norm(), radius, extents);
     if (letters > 0) {
-      const Place name = name_beyond(v_B, Vec3::Zero(), letters);
+      const Extent name = name_beyond(v_B, Vec3::Zero(), letters);
       const double named = name.center.dot(L_B);
-      add_ring(named, (name.center - named * L_B).norm(), name.spread(0, 0), places, name.aside);
+      add_ring(named, (name.center - named * L_B).norm(), name.spread(0, 0), extents, name.aside);
     }
   }
 
   /// A vector fixed in the body.
-  void add_of_body(const Vec3& v_B, double radius, Places& places, double letters = 0) const {
-    if (m_.view == View::body) return add(states_.front(), v_B, radius, places, letters);
-    for (const RigidBodyState& state : states_) add(state, v_B, radius, places, letters);
+  void add_of_body(const Vec3& v_B, double radius, Extents& extents, double letters = 0) const {
+    if (m_.view == View::body) return add(states_.front(), v_B, radius, extents, letters);
+    for (const RigidBodyState& state : states_) add(state, v_B, radius, extents, letters);
   }
 
   /// A vector fixed in space.
-  void add_of_space(const Vec3& v_S, double radius, Places& places, double letters = 0) const {
+  void add_of_space(const Vec3& v_S, double radius, Extents& extents, double letters = 0) const {
     const auto add_at = [&](const Vec3& v_V) {
-      places.push_back(ball_at(v_V, radius));
-      if (letters > 0) places.push_back(name_beyond(v_V, Vec3::Zero(), letters));
+      extents.push_back(ball_at(v_V, radius));
+      if (letters > 0) extents.push_back(name_beyond(v_V, Vec3::Zero(), letters));
     };
     if (m_.view == View::space) return add_at(v_S);
     if (is_driven_)
       for (const RigidBodyState& state : states_) add_at(state.q_SB.conjugate() * v_S);
     else
-      places.push_back(ball_at(Vec3::Zero(), v_S.norm() + 2.0 * radius + (letters > 0 ? 0.1 : 0.0)));
+      extents.push_back(ball_at(Vec3::Zero(), v_S.norm() + 2.0 * radius + (letters > 0 ? 0.1 : 0.0)));
   }
 
   /// A surface of revolution about L, or about the centre.
-  void add_ring(double along_L, double across, double radius, Places& places, double aside = 0) const {
-    Place ring = disc_at(along_L * L_direction_V_, L_direction_V_, across + radius);
+  void add_ring(double along_L, double across, double radius, Extents& extents, double aside = 0) const {
+    Extent ring = disc_at(along_L * L_direction_V_, L_direction_V_, across + radius);
     ring.spread += radius * L_direction_V_ * L_direction_V_.transpose();
     ring.aside = aside;
-    places.push_back(ring);
+    extents.push_back(ring);
   }
 
  private:
@@ -188,7 +188,7 @@ class Film {
 };
 
 /// Under a torque the surfaces swell with the energy of the moment.
-void add_places_of_surfaces(const Snapshot& m, const Film& film, Places& places) {
+void add_extents_of_surfaces(const Snapshot& m, const Film& film, Extents& extents) {
   const bool on_ellipsoid = m.L_scale == 0.0 && (m.shows(Overlay::polhode_family) ||
                                                  m.shows(Overlay::separatrix) || m.shows(Overlay::polhode));
   const bool energy = m.shows(Overlay::energy_ellipsoid) || on_ellipsoid;
@@ -202,20 +202,20 @@ void add_places_of_surfaces(const Snapshot& m, const Film& film, Places& places)
     const auto add = [&](const Vec3& semi_axes, double flat) {
       if (m.view == View::body || film.is_driven()) {
         const Mat3 q = m.view == View::body ? Mat3(Mat3::Identity()) : state.q_SB.toRotationMatrix();
-        places.push_back({film.center_V(state), q * semi_axes.asDiagonal() * q.transpose()});
+        extents.push_back({film.center_V(state), q * semi_axes.asDiagonal() * q.transpose()});
         return;
       }
       // It turns about L, between the two planes that it touches.
       const double reach = semi_axes.maxCoeff();
       for (const double part : {-1.0, -0.7, -0.35, 0.0, 0.35, 0.7, 1.0}) {
         const double along = part * std::min(flat, reach);
-        film.add_ring(along, std::sqrt(std::max(0.0, reach * reach - along * along)), 0.0, places);
+        film.add_ring(along, std::sqrt(std::max(0.0, reach * reach - along * along)), 0.0, extents);
       }
     };
     const double plane = invariable_plane_distance(m.I(), state.w_B) * m.omega_scale;
     const Vec3 of_energy = energy_ellipsoid_semi_axes(m.I(), state.w_B) * m.omega_scale;
     if (alone && m.view == View::body)
-      film.add(state, state.w_B * m.omega_scale, kLine, places);
+      film.add(state, state.w_B * m.omega_scale, kLine, extents);
     else if (energy)
       add(of_energy, plane);
     const Vec3 of_momentum = momentum_ellipsoid_semi_axes(m.I(), state.w_B) * m.L_scale;
@@ -227,36 +227,36 @@ void add_places_of_surfaces(const Snapshot& m, const Film& film, Places& places)
   }
 }
 
-void add_places_of_solid(const Snapshot& m, const Film& film, Places& places) {
+void add_extents_of_solid(const Snapshot& m, const Film& film, Extents& extents) {
   if (!m.model.needs.solid || m.shows(Overlay::energy_ellipsoid)) return;
   const bool may_lie_anyhow = is_computed(m.model.scene) || m.turn || m.shows(Overlay::pivot);
   const std::vector<Vec3> corners_B = may_lie_anyhow ? std::vector<Vec3>() : solid_corners_B(m);
-  for (const Vec3& corner_B : corners_B) film.add_of_body(corner_B, 0.0, places);
+  for (const Vec3& corner_B : corners_B) film.add_of_body(corner_B, 0.0, extents);
   if (corners_B.empty())
     for (const RigidBodyState& state : film.states())
-      places.push_back(ball_at(film.center_V(state), kAloneRadius));
+      extents.push_back(ball_at(film.center_V(state), kAloneRadius));
   if (!m.shows(Overlay::pivot)) return;
   constexpr double kFoot = -1.12, kFootRadius = 0.42;  // of the stand
-  if (m.view == View::space) places.push_back(disc_at(Vec3(0.0, 0.0, kFoot), Vec3::UnitZ(), kFootRadius));
+  if (m.view == View::space) extents.push_back(disc_at(Vec3(0.0, 0.0, kFoot), Vec3::UnitZ(), kFootRadius));
 }
 
-void add_places_of_axes(const Snapshot& m, const Film& film, Places& places) {
+void add_extents_of_axes(const Snapshot& m, const Film& film, Extents& extents) {
   const bool may_lie_anyhow = m.turn || is_computed(m.model.scene);
   const bool stand_elsewhere = flies(m);
   for (int i = 0; i < 3; ++i) {
     const Vec3 axis = kTriadLength * Vec3::Unit(i);
     const double letters = m.shows(Overlay::labels) ? kNumberName : 0.0;
     if ((m.shows(Overlay::axes_space) && !stand_elsewhere) || m.turn)
-      film.add_of_space(axis, kLine, places, letters);
+      film.add_of_space(axis, kLine, extents, letters);
     if (!m.shows(Overlay::axes_body)) continue;
     if (may_lie_anyhow && m.view == View::space)
-      places.push_back(ball_at(Vec3::Zero(), kTriadLength + 2.0 * kLine));
+      extents.push_back(ball_at(Vec3::Zero(), kTriadLength + 2.0 * kLine));
     else
-      film.add_of_body(axis, kLine, places, letters);
+      film.add_of_body(axis, kLine, extents, letters);
   }
 }
 
-void add_places_of_vectors(const Snapshot& m, const Film& film, Places& places) {
+void add_extents_of_vectors(const Snapshot& m, const Film& film, Extents& extents) {
   const double letters = m.shows(Overlay::labels) ? 1.0 : 0.0;
   const bool L = m.shows(Overlay::L) || m.shows(Overlay::trail_L);
   const bool omega = m.shows(Overlay::omega) || m.shows(Overlay::trail_omega) || m.shows(Overlay::herpolhode);
@@ -264,33 +264,33 @@ void add_places_of_vectors(const Snapshot& m, const Film& film, Places& places) 
     if (state.w_B.isZero(0.0)) continue;
     const Vec3 L_B = angular_momentum_B(m.I(), state.w_B);
     if (omega)
-      film.add(state, state.w_B * m.omega_scale, kLine, places, m.shows(Overlay::omega) ? letters : 0);
-    if (L) film.add(state, m.L_drawn_B(L_B), kLine, places, m.shows(Overlay::L) ? letters : 0);
+      film.add(state, state.w_B * m.omega_scale, kLine, extents, m.shows(Overlay::omega) ? letters : 0);
+    if (L) film.add(state, m.L_drawn_B(L_B), kLine, extents, m.shows(Overlay::L) ? letters : 0);
     const bool torque = m.shows(Overlay::N) && !m.shows(Overlay::terms);
     if (const Vec3 N_B = torque_B(m.model.scene.torque, state); torque && !N_B.isZero(0.0)) {
       const Vec3 tail_B = m.shows(Overlay::L) ? m.L_drawn_B(L_B) : Vec3(Vec3::Zero());
-      film.add(state, tail_B + kTorqueLength * N_B.stableNormalized(), kLine, places, letters);
+      film.add(state, tail_B + kTorqueLength * N_B.stableNormalized(), kLine, extents, letters);
     }
   }
   if (!is_computed(m.model.scene) || film.is_driven()) return;
   for (const RigidBodyState& state : sampled_states(m)) {  // a computed motion goes its own way
     const Quat q_VB = m.view == View::space ? state.q_SB : Quat::Identity();
-    const auto hold = [&](const Vec3& v_B) { places.push_back(ball_at(q_VB * v_B, kLine)); };
+    const auto hold = [&](const Vec3& v_B) { extents.push_back(ball_at(q_VB * v_B, kLine)); };
     if (omega) hold(state.w_B * m.omega_scale);
     if (L) hold(m.L_drawn_B(angular_momentum_B(m.I(), state.w_B)));
   }
 }
 
 /// The sides of triangles, sampled.
-void add_places_of_sums(const Snapshot& m, Places& places) {
+void add_extents_of_sums(const Snapshot& m, Extents& extents) {
   const SceneModel& model = m.model;
   const auto to_view = [&](const RigidBodyState& state, const Vec3& v_S) -> Vec3 {
     return m.view == View::space ? v_S : Vec3(state.q_SB.conjugate() * v_S);
   };
   constexpr double kName = 0.16;
-  places.push_back(ball_at(Vec3::Zero(), kLine));
+  extents.push_back(ball_at(Vec3::Zero(), kLine));
   const auto hold = [&](const Vec3& at_V) {
-    if (at_V.allFinite()) places.push_back(ball_at(at_V, kName));
+    if (at_V.allFinite()) extents.push_back(ball_at(at_V, kName));
   };
   for (int n = 0; n <= kSamples; ++n) {
     const double t_s = model.span_s * n / kSamples;
@@ -316,23 +316,23 @@ void add_places_of_sums(const Snapshot& m, Places& places) {
 }
 
 /// Of what goes along with the centre of mass.
-Places places_round_center(const Snapshot& m, const Film& film) {
-  Places places;
-  add_places_of_solid(m, film, places);
-  add_places_of_surfaces(m, film, places);
-  add_places_of_axes(m, film, places);
-  add_places_of_vectors(m, film, places);
-  if (!places.empty()) film.add_of_body(Vec3::Zero(), kLine, places);  // where arrows begin
-  if (m.shows(Overlay::transport) || m.shows(Overlay::terms)) add_places_of_sums(m, places);
-  Places marks;
-  add_places_of_marks(m, marks);
+Extents extents_round_center(const Snapshot& m, const Film& film) {
+  Extents extents;
+  add_extents_of_solid(m, film, extents);
+  add_extents_of_surfaces(m, film, extents);
+  add_extents_of_axes(m, film, extents);
+  add_extents_of_vectors(m, film, extents);
+  if (!extents.empty()) film.add_of_body(Vec3::Zero(), kLine, extents);  // where arrows begin
+  if (m.shows(Overlay::transport) || m.shows(Overlay::terms)) add_extents_of_sums(m, extents);
+  Extents marks;
+  add_extents_of_marks(m, marks);
   if (!flies(m)) {
-    places.insert(places.end(), marks.begin(), marks.end());
+    extents.insert(extents.end(), marks.begin(), marks.end());
   } else if (!marks.empty()) {
     const double reach = reach_of(marks);
-    for (const RigidBodyState& state : film.states()) places.push_back(ball_at(film.center_V(state), reach));
+    for (const RigidBodyState& state : film.states()) extents.push_back(ball_at(film.center_V(state), reach));
   }
-  return places;
+  return extents;
 }
 
 }  // namespace
@@ -360,19 +360,19 @@ bool is_computed(const Scene& scene) {
   return scene.motion.method && facts_of(*scene.motion.method).control != StepControl::none;
 }
 
-Place name_beyond(const Vec3& tip, const Vec3& tail, double letters) {
+Extent name_beyond(const Vec3& tip, const Vec3& tail, double letters) {
   constexpr double kBeyond = 0.12, kHalfHeight = 0.07, kLetter = 0.05;
   const Vec3 way = tip - tail;
   const double length = way.norm();
-  Place name = ball_at(length > 0.0 ? Vec3(tip + (kBeyond / length) * way) : tip, kHalfHeight);
+  Extent name = ball_at(length > 0.0 ? Vec3(tip + (kBeyond / length) * way) : tip, kHalfHeight);
   name.aside = kLetter * std::max(0.0, letters - 1.0);
   return name;
 }
 
-Places places_of_drawn(const DrawList& list, const Vec3& center) {
-  Places places;
+Extents extents_of_drawn(const DrawList& list, const Vec3& center) {
+  Extents extents;
   const auto hold = [&](const Vec3& at, double radius) {
-    if (at.allFinite()) places.push_back(ball_at(center + at, radius));
+    if (at.allFinite()) extents.push_back(ball_at(center + at, radius));
   };
   for (const Tube& tube : list.tubes)
     for (const Vec3& p : tube.points) hold(p, tube.radius);
@@ -385,32 +385,32 @@ Places places_of_drawn(const DrawList& list, const Vec3& center) {
     for (const Vec3& p : mesh.positions) hold(p, 0.0);
   for (const GlassEllipsoid& e : list.ellipsoids) {
     const Mat3 q = e.rotation.toRotationMatrix();
-    places.push_back({center + e.center, q * e.semi_axes.asDiagonal() * q.transpose()});
+    extents.push_back({center + e.center, q * e.semi_axes.asDiagonal() * q.transpose()});
   }
   for (const Label& label : list.labels) {
     if (!label.anchor.allFinite() || (!list.floors.empty() && label.anchor.z() <= list.floors[0].z)) continue;
-    Place name = name_beyond(label.anchor, Vec3::Zero(), label.size * letters_of(label.text));
+    Extent name = name_beyond(label.anchor, Vec3::Zero(), label.size * letters_of(label.text));
     name.center += center;
-    places.push_back(name);
+    extents.push_back(name);
   }
-  return places;
+  return extents;
 }
 
-double reach_of(const Places& places) {
+double reach_of(const Extents& extents) {
   double reach = 0.0;
-  for (const Place& place : places)
-    reach = std::max(reach, place.center.norm() + place.spread.colwise().norm().maxCoeff());
+  for (const Extent& extent : extents)
+    reach = std::max(reach, extent.center.norm() + extent.spread.colwise().norm().maxCoeff());
   return reach;
 }
 
-Places places_of(const Snapshot& m) {
+Extents extents_of(const Snapshot& m) {
   const bool in_space = m.view == View::space;
   const bool puck = in_space && m.shows(Overlay::puck);
-  Places places;
-  if (!puck || !puck_alone(m)) places = places_round_center(m, Film(m));
-  if (in_space && (puck || drifts(m.model.scene))) add_places_of_translation(m, places);
-  if (places.empty()) places.push_back(ball_at(Vec3::Zero(), 1.0));
-  return places;
+  Extents extents;
+  if (!puck || !puck_alone(m)) extents = extents_round_center(m, Film(m));
+  if (in_space && (puck || drifts(m.model.scene))) add_extents_of_translation(m, extents);
+  if (extents.empty()) extents.push_back(ball_at(Vec3::Zero(), 1.0));
+  return extents;
 }
 
 }  // namespace polhode::builders

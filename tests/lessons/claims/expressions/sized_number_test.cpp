@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/claims/answers/sized_number.h"
+#include "lessons/claims/expressions/sized_number.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/scene/model/rotor.h"
+#include "render/scene/model/heavy_top_body.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ const HeavyTop* heavy_top_of(const Scene& scene) {
   return found;
 }
 
-Rotor rotor_of(const Scene& scene, const HeavyTop& top) {
+HeavyTopBody heavy_top_body(const Scene& scene, const HeavyTop& top) {
   const Body& body = scene.body;
   const Vec3 axis_B = top.axis_B.normalized();
   const double l_m = top.mgr / (body.mass_kg * kStandardGravity);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/claims/proof/small_numbers.h"
+#include "lessons/claims/proof/whole_numbers.h"
 
 #include <span>
 
@@ -103,7 +103,7 @@ constexpr std::array<OtherQuantities, 5> kOtherQuantities{{
 
 }  // namespace
 
-void for_each_small_state(const Dependence& d, const std::function<bool(const SmallNumbers&)>& use) {
+void for_each_whole_number_state(const Dependence& d, const std::function<bool(const WholeNumbers&)>& use) {
   const auto firsts = [](const auto& all, bool vary) { return std::span(all).first(vary ? all.size() : 1); };
   const bool has_other = d.J || d.v || d.dv || d.ddv || d.A || d.dA || d.ddA || d.F || d.dF || d.m || d.h ||
                          d.k || !d.constants.empty();
@@ -114,46 +114,46 @@ void for_each_small_state(const Dependence& d, const std::function<bool(const Sm
           for (const Whole3& N : firsts(kTorques, d.N))
             for (std::size_t i = 0; i < (d.dw || d.ddw || d.dN ? kRates.size() : 1); ++i) {
               const Whole3 &ddw = kRates[3 * i % kRates.size()], &dN = kRates[2 * i % kRates.size()];
-              if (use(SmallNumbers{I, w, kRates[i], ddw, N, dN, c, q,
+              if (use(WholeNumbers{I, w, kRates[i], ddw, N, dN, c, q,
                                    static_cast<std::size_t>(&c - kOtherQuantities.data())}))
                 return;
             }
 }
 
-std::vector<SmallNumbers> small_bodies() {
+std::vector<WholeNumbers> whole_number_bodies() {
   const Whole3 turning{1, 2, 3}, torque{-1, 2, 1}, rate{1, 2, 3};
-  std::vector<SmallNumbers> bodies;
+  std::vector<WholeNumbers> bodies;
   for (const Whole3& I : kMoments)
     for (std::size_t i = 0; i < kOtherQuantities.size(); ++i)
       bodies.push_back({I, turning, rate, rate, torque, rate, kOtherQuantities[i], kAttitudes.back(), i});
   return bodies;
 }
 
-SmallNumbers mixed_numbers(std::mt19937_64& random) {
+WholeNumbers mixed_numbers(std::mt19937_64& random) {
   const auto below = [&random](Whole count) {
     return static_cast<Whole>(random() % static_cast<std::uint64_t>(count));
   };
   const auto three = [&below] { return Whole3{below(11) - 5, below(11) - 5, below(11) - 5}; };
-  SmallNumbers small{};
+  WholeNumbers whole{};
   const Whole a = below(5), b = 1 + below(5), c = below(5);
-  small.I = {b + c, a + c + (a + c == 0 ? 1 : 0), a + b};  // possible but for this 1; that is looked at
-  for (Whole3* vector : {&small.w, &small.dw, &small.ddw, &small.N, &small.dN}) *vector = three();
+  whole.I = {b + c, a + c + (a + c == 0 ? 1 : 0), a + b};  // possible but for this 1; that is looked at
+  for (Whole3* vector : {&whole.w, &whole.dw, &whole.ddw, &whole.N, &whole.dN}) *vector = three();
   const auto place = static_cast<std::size_t>(below(static_cast<Whole>(kOtherQuantities.size())));
-  small.other = kOtherQuantities[place];
+  whole.other = kOtherQuantities[place];
   for (Whole3 OtherQuantities::*vector :
        {&OtherQuantities::v, &OtherQuantities::dv, &OtherQuantities::ddv, &OtherQuantities::A,
         &OtherQuantities::dA, &OtherQuantities::ddA, &OtherQuantities::F, &OtherQuantities::dF})
-    small.other.*vector = three();
-  small.other.h = below(11) - 5;
-  small.other.k = below(11) - 5;
-  small.other.m = 1 + below(5);
-  small.q = {1 + below(3), below(7) - 3, below(7) - 3, below(7) - 3};
-  small.first_constant = static_cast<std::size_t>(below(static_cast<Whole>(kConstants.size())));
-  return small;
+    whole.other.*vector = three();
+  whole.other.h = below(11) - 5;
+  whole.other.k = below(11) - 5;
+  whole.other.m = 1 + below(5);
+  whole.q = {1 + below(3), below(7) - 3, below(7) - 3, below(7) - 3};
+  whole.first_constant = static_cast<std::size_t>(below(static_cast<Whole>(kConstants.size())));
+  return whole;
 }
 
-SmallNumbers uneven_numbers(std::mt19937_64& random) {
-  SmallNumbers small = mixed_numbers(random);
+WholeNumbers uneven_numbers(std::mt19937_64& random) {
+  WholeNumbers whole = mixed_numbers(random);
   const auto power = [&random](Whole number) {
     Whole scale = 1;
     for (auto n = random() % 5; n > 0; --n) scale *= 10;
@@ -161,12 +161,12 @@ SmallNumbers uneven_numbers(std::mt19937_64& random) {
   };
   const auto side = [&] { return power(static_cast<Whole>(random() % 4)); };
   const Whole a = side(), b = side() + 1, c = side();
-  small.I = {b + c, a + c + (a + c == 0 ? 1 : 0), a + b};
-  for (Whole3* vector : {&small.w, &small.N})
+  whole.I = {b + c, a + c + (a + c == 0 ? 1 : 0), a + b};
+  for (Whole3* vector : {&whole.w, &whole.N})
     for (Whole& component : *vector) component = power(component);
-  small.other.h = power(small.other.h);
-  small.other.k = power(small.other.k);
-  return small;
+  whole.other.h = power(whole.other.h);
+  whole.other.k = power(whole.other.k);
+  return whole;
 }
 
 }  // namespace polhode

@@ -21,6 +21,6 @@ const std::vector<std::string>& shell_names();
 
 /// The script, to be sourced (bash, fish) or put on $fpath as _polhode (zsh). Needs bash 4.4, zsh 5 or fish 3
 /// and no library of completions.
-std::string completion_script(Shell shell, const std::vector<Command>& commands);
+std::string completion_script(Shell shell, const std::vector<ProgramCommand>& commands);
 
 }  // namespace polhode

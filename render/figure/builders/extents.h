@@ -11,44 +11,44 @@
 namespace polhode::builders {
 
 /// An ellipsoid, a disc or a point that the picture has to hold, in axes of the view.
-struct Place {
+struct Extent {
   Vec3 center{0, 0, 0};
   Mat3 spread = Mat3::Zero();  ///< takes the unit ball to it; zero: a point
   /// More room on the side, left or right, that lies away from the centre: a name stands there.
   double aside = 0;
 };
-using Places = std::vector<Place>;
+using Extents = std::vector<Extent>;
 
-inline Place ball_at(const Vec3& center, double radius) { return {center, radius * Mat3::Identity()}; }
+inline Extent ball_at(const Vec3& center, double radius) { return {center, radius * Mat3::Identity()}; }
 /// At right angles to `normal`, a unit vector.
-inline Place disc_at(const Vec3& center, const Vec3& normal, double radius) {
+inline Extent disc_at(const Vec3& center, const Vec3& normal, double radius) {
   return {center, radius * (Mat3::Identity() - normal * normal.transpose())};
 }
 /// The name of an arrow that ends there and comes from `tail`; of so many letters.
-Place name_beyond(const Vec3& tip, const Vec3& tail, double letters = 1);
+Extent name_beyond(const Vec3& tip, const Vec3& tail, double letters = 1);
 /// Letters of a formula as it is set, roughly.
 double letters_of(const std::string& tex);
 
 /// All that the scene shows in this view, names included. Without torque that is where an exact motion with
 /// its T and L can ever bring it, which needs no motion to be computed; of a motion that is driven or
-/// computed by steps, and of a lesson's own marks, it is sampled over the scene's span; a driven
-/// one that grows, as far as its vectors are not longer by a third than up to the still.
-Places places_of(const Snapshot& m);
+/// computed by steps, and of a lesson's own marks, it is sampled over the scene's span. A driven motion may
+/// grow: states whose ω is more than a third longer than it ever is up to the still are left out.
+Extents extents_of(const Snapshot& m);
 
 /// Of a list about `center`.
-Places places_of_drawn(const DrawList& list, const Vec3& center);
+Extents extents_of_drawn(const DrawList& list, const Vec3& center);
 
 /// Of the marks alone.
-void add_places_of_marks(const Snapshot& m, Places& places);
+void add_extents_of_marks(const Snapshot& m, Extents& extents);
 
 /// The path of the centre of mass with its arrows, or that of the puck; space axes.
-void add_places_of_translation(const Snapshot& m, Places& places);
+void add_extents_of_translation(const Snapshot& m, Extents& extents);
 
 /// Whether the motion is followed step by step, and may leave the surfaces of its start.
 bool is_computed(const Scene& scene);
 
 /// How far the furthest of them reaches from the centre.
-double reach_of(const Places& places);
+double reach_of(const Extents& extents);
 
 /// Corners of the body as it is drawn where it stands alone, body components. Empty: it fills its sphere, of
 /// radius kAloneRadius.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/figure/frame.h"
+#include "render/figure/pane_fit.h"
 
 #include "render/figure/orbit_camera.h"
 
@@ -10,12 +10,12 @@
 namespace polhode {
 namespace {
 
-using builders::Place;
-using builders::Places;
+using builders::Extent;
+using builders::Extents;
 
 constexpr double kNearest = 1.3;  // of the eye from the middle, in radii: outside all that is held
 
-/// How far places reach to one side of the screen, from a point, against a plane through the eye that leans
+/// How far extents reach to one side of the screen, from a point, against a plane through the eye that leans
 /// by `slope` from the line of sight: all of them are seen below that slope if `reach` is not more than
 /// slope times the eye's distance.
 struct Reach {
@@ -23,17 +23,17 @@ struct Reach {
   double per_slope = 0.0;  ///< its derivative
 };
 /// @param axis of the screen, 0 to the right, 1 up; `sign` says to which of its sides
-Reach reach_at(const Places& seen, int axis, double sign, double slope) {
+Reach reach_at(const Extents& seen, int axis, double sign, double slope) {
   Reach most;
-  for (const Place& place : seen) {
-    const Vec3 across = sign * place.spread.row(axis), towards = place.spread.row(2);
+  for (const Extent& extent : seen) {
+    const Vec3 across = sign * extent.spread.row(axis), towards = extent.spread.row(2);
     const Vec3 lean = across + slope * towards;
     const double length = lean.norm();
-    const double off = sign * place.center[axis];
-    const double beside = axis == 0 && off > 0.0 ? place.aside : 0.0;
-    const double reach = off + beside + slope * place.center.z() + length;
+    const double off = sign * extent.center[axis];
+    const double beside = axis == 0 && off > 0.0 ? extent.aside : 0.0;
+    const double reach = off + beside + slope * extent.center.z() + length;
     if (reach > most.reach)
-      most = {reach, place.center.z() + (length > 0.0 ? lean.dot(towards) / length : 0.0)};
+      most = {reach, extent.center.z() + (length > 0.0 ? lean.dot(towards) / length : 0.0)};
   }
   return most;
 }
@@ -45,13 +45,13 @@ struct Sides {
 };
 
 struct Held {
-  double half_tan = 0;  ///< the least tangent of half the field of view that holds all places
+  double half_tan = 0;  ///< the least tangent of half the field of view that holds all extents
   double middle = 0;    ///< where the middle of the screen lies then: no other holds them
 };
 
 /// What is wanted is convex in the tangent and falls until it is reached, so that Newton's method comes to it
 /// from below.
-Held least_that_holds(const Places& seen, const Sides& sides, double distance) {
+Held least_that_holds(const Extents& seen, const Sides& sides, double distance) {
   constexpr int kMostSteps = 30;
   constexpr double kEnough = 1e-12;
   double half_tan = 0.0;
@@ -78,26 +78,26 @@ CameraSpec fitted_spec(const CameraSpec& spec) {
 
 }  // namespace
 
-Frame frame_of(const Places& places, const CameraSpec& spec, double aspect, const FrameMargins& margins,
-               double least_radius) {
-  if (places.empty()) return {};
+PaneFit pane_fit(const Extents& extents, const CameraSpec& spec, double aspect, const PaneMargins& margins,
+                 double least_radius) {
+  if (extents.empty()) return {};
   const Mat3 axes = orbit(fitted_spec(spec), Vec3::Zero(), 1.0).view().topLeftCorner<3, 3>();
-  Places seen = places;
+  Extents seen = extents;
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (Place& place : seen) {
-    place.center = axes * place.center;
-    place.spread = axes * place.spread;
-    const Vec3 half = place.spread.rowwise().norm();
-    low = low.cwiseMin(place.center - half);
-    high = high.cwiseMax(place.center + half);
+  for (Extent& extent : seen) {
+    extent.center = axes * extent.center;
+    extent.spread = axes * extent.spread;
+    const Vec3 half = extent.spread.rowwise().norm();
+    low = low.cwiseMin(extent.center - half);
+    high = high.cwiseMax(extent.center + half);
   }
   const Vec3 middle = 0.5 * (low + high);
   double radius = least_radius;
-  for (const Place& place : seen)
-    radius = std::max(radius, (place.center - middle).norm() + place.spread.colwise().norm().maxCoeff());
+  for (const Extent& extent : seen)
+    radius = std::max(radius, (extent.center - middle).norm() + extent.spread.colwise().norm().maxCoeff());
   if (!(radius > 0.0)) return {};
-  // Names stand away from the centre, which the places are given from: to the right of it, or to the left.
-  for (Place& place : seen) place.center.z() -= middle.z();
+  // Names stand away from the centre, which the extents are given from: to the right of it, or to the left.
+  for (Extent& extent : seen) extent.center.z() -= middle.z();
 
   const double distance = radius * std::max(spec.distance, kNearest);
   const Sides across{0, aspect * (1.0 - 2.0 * margins.side), aspect * (1.0 - 2.0 * margins.side)};
@@ -109,11 +109,11 @@ Frame frame_of(const Places& places, const CameraSpec& spec, double aspect, cons
   return {axes.transpose() * target, radius, half_tan};
 }
 
-Camera framed(const Frame& frame, const CameraSpec& spec) {
+Camera fitted_camera(const PaneFit& fit, const CameraSpec& spec) {
   CameraSpec from = spec;
   from.distance = std::max(spec.distance, kNearest);
-  Camera camera = orbit(from, frame.target, frame.radius);
-  camera.fov_y_rad = 2.0 * std::atan(frame.half_tan / spec.zoom);
+  Camera camera = orbit(from, fit.target, fit.radius);
+  camera.fov_y_rad = 2.0 * std::atan(fit.half_tan / spec.zoom);
   return camera;
 }
 

@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A hand in the figure: the camera is turned, the tip of ω is taken and put elsewhere.
+// The tip of ω in a figure: where it is, and which ω a hand comes to that takes it and puts it elsewhere.
 #pragma once
 
 #include "render/gl/renderer.h"
 #include "render/scene/model/model.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace polhode {
-
-/// The camera turned by a drag of (dx, dy) px, y down, in a picture `height` px high. A drag over the whole
-/// height turns it by half a turn, and what is in front goes with the hand. Elevation stays within ±89°, and
-/// the scale is kept.
-CameraSpec orbited(CameraSpec camera, double dx, double dy, double height);
-/// The camera zoomed by a tenth for each notch of the wheel; zoom stays within 0.25…8.
-CameraSpec zoomed(CameraSpec camera, double notches);
-
-struct CameraPreset {
-  std::string name;  ///< "front", "side", "top", "below", "three-quarter"
-  CameraSpec camera;
-};
-const std::vector<CameraPreset>& camera_presets();
 
 /// Where the tip of ω is in a figure, and in which pane.
 struct TipOnScreen {
@@ -35,8 +21,8 @@ struct TipOnScreen {
 /// beside it is not taken hold of.
 std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets);
 
-/// The ω, in body axes, whose tip is drawn at the point (px of the page) and the slip, or as near as any can
-/// be. It has the present energy; under torque that of the moment. "Drawn" means in the same pane, in the
+/// The ω, in body axes, whose tip is drawn at the point (px of the page) and the offset, or as near as any
+/// can be. It has the present energy; under torque that of the moment. "Drawn" means in the same pane, in the
 /// scene that starts with this ω, with `camera`, and with `attitude` at t = 0. In space the body keeps the
 /// attitude of the moment, so that the motion goes on from there; but where the scene has to hold L down or
 /// up it turns under the hand, and the tip stays at the pointer. Nothing for a body at rest. Found by
@@ -47,8 +33,8 @@ struct GrabbedOmega {
   /// With the frame that the scene had before the hand. Where L stays, the body begins turned about the
   /// vertical beside the moment; a camera of space alone goes round with it, so that it is seen as it was.
   CameraSpec camera;
-  Vec2 slip{0, 0};  ///< px by which the tip is drawn elsewhere as the motion begins anew; it is at the point
-                    ///< and this, so that ω goes on from what it is
+  Vec2 offset{0, 0};  ///< px by which the tip is drawn elsewhere as the motion begins anew; it is at the
+                      ///< point and this, so that ω goes on from what it is
 };
 /// @param keeps_L the scene has to hold L down or up, if it does; it has anyway beside the invariable plane,
 ///   which is seen only where L points down

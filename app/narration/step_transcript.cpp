@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/narration/step_notes.h"
+#include "app/narration/step_transcript.h"
 
 #include "lessons/reader/markdown/footnotes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/scene/model/rotor.h"
+#include "render/scene/model/heavy_top_body.h"
 
 #include <gtest/gtest.h>
 
@@ -19,49 +19,49 @@ Scene top_of(const Vec3& size_m, double l_m) {
   return scene;
 }
 
-TEST(Rotor, IsTheDiscThatHasTheseMomentsAboutThePivot) {
+TEST(HeavyTopBody, IsTheDiscThatHasTheseMomentsAboutThePivot) {
   for (const Vec3& size_m : {Vec3(0.2, 0.2, 0.02), Vec3(0.3, 0.3, 0.1)})
     for (double l_m : {0.05, 0.12}) {
       const Scene scene = top_of(size_m, l_m);
-      const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
-      EXPECT_EQ(rotor.shape.kind, ShapeKind::cylinder);
+      const HeavyTopBody body = heavy_top_body(scene, *heavy_top_of(scene));
+      EXPECT_EQ(body.shape.kind, ShapeKind::cylinder);
       // The height is a difference of moments: l² and d² are up to 400 h² here.
-      EXPECT_LT((rotor.shape.size_m - size_m).norm(), 400 * kRounding * size_m.norm());
-      EXPECT_LT((rotor.center_B - l_m * Vec3::UnitZ()).norm(), kRounding);
+      EXPECT_LT((body.shape.size_m - size_m).norm(), 400 * kRounding * size_m.norm());
+      EXPECT_LT((body.center_B - l_m * Vec3::UnitZ()).norm(), kRounding);
     }
 }
 
-TEST(Rotor, WhereNoHeightIsLeftIsThin) {
+TEST(HeavyTopBody, WhereNoHeightIsLeftIsThin) {
   Scene scene = top_of(Vec3(0.2, 0.2, 0.02), 0.1);
   scene.torque = {HeavyTop{1.5 * kStandardGravity * 0.1, Vec3::UnitZ()}};
-  const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
-  EXPECT_NEAR(rotor.shape.size_m.z(), 0.2 / 20, kRounding);
+  const HeavyTopBody body = heavy_top_body(scene, *heavy_top_of(scene));
+  EXPECT_NEAR(body.shape.size_m.z(), 0.2 / 20, kRounding);
 }
 
-TEST(Rotor, AShapeStays) {
+TEST(HeavyTopBody, AShapeStays) {
   Scene scene;
   scene.body = find_body("book").value();
   scene.torque = {HeavyTop{0.5, Vec3(0, 2, 0)}};
-  const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
-  EXPECT_EQ(rotor.shape.size_m, scene.body.shape->size_m);
+  const HeavyTopBody body = heavy_top_body(scene, *heavy_top_of(scene));
+  EXPECT_EQ(body.shape.size_m, scene.body.shape->size_m);
   const Vec3 center_B(0.0, 0.5 / (0.8 * kStandardGravity), 0.0);  // l = mgr/(m g), the book has 0.8 kg
-  EXPECT_LT((rotor.center_B - center_B).norm(), kRounding);
+  EXPECT_LT((body.center_B - center_B).norm(), kRounding);
 }
 
-TEST(Rotor, WithoutAShapeIsTheBoxAtItsDistanceThatHasTheMoments) {
+TEST(HeavyTopBody, WithoutAShapeIsTheBoxAtItsDistanceThatHasTheMoments) {
   const Vec3 size_m(0.3, 0.2, 0.1), l2(0.01, 0.0, 0.01);  // along axis 2, 10 cm
   const double mass_kg = 2.0;
   const Vec3 I = box_moments(size_m, mass_kg).vector() + mass_kg * l2;
   Scene scene;
   scene.body = {"box", PrincipalMoments(I[0], I[1], I[2]), std::nullopt, mass_kg};
   scene.torque = {HeavyTop{mass_kg * kStandardGravity * 0.1, Vec3::UnitY()}};
-  const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
-  EXPECT_EQ(rotor.shape.kind, ShapeKind::box);
+  const HeavyTopBody body = heavy_top_body(scene, *heavy_top_of(scene));
+  EXPECT_EQ(body.shape.kind, ShapeKind::box);
   // The shortest edge is a difference of moments 26 times its square.
-  EXPECT_LT((rotor.shape.size_m - size_m).norm(), 26 * kRounding * size_m.norm());
+  EXPECT_LT((body.shape.size_m - size_m).norm(), 26 * kRounding * size_m.norm());
 }
 
-TEST(Rotor, NeedsOneHeavyTopThatWeighsSomething) {
+TEST(HeavyTopBody, NeedsOneHeavyTopThatWeighsSomething) {
   Scene scene;
   EXPECT_EQ(heavy_top_of(scene), nullptr);
   scene.torque = {HeavyTop{0.0, Vec3::UnitZ()}};

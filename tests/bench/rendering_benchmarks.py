@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Measures the figures of pictures, each against what is required, and prints one table.
+"""Runs the benchmarks of pictures, each against what is required, and prints one table.
 
-    cmake --preset bench && cmake --build --preset bench && tests/bench/rendering_figures.py
+    cmake --preset bench && cmake --build --preset bench && tests/bench/rendering_benchmarks.py
 
 CPU time is that of all threads (getrusage) and is to be trusted over wall time. What is compared takes turns within
 this run; ratios are medians over the turns. Wall times and all that is said of two cores need a machine with nothing
@@ -23,7 +23,7 @@ import sys
 import tempfile
 import time
 
-from figure_table import Table
+from benchmark_table import Table
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LESSON = [ROOT / "tests/bench/poinsot.md", "--what", "figure", "--each", "frame"]
@@ -31,7 +31,7 @@ FPS = 25
 
 
 class Missing(Exception):
-    """Why a figure was not measured."""
+    """Why something was not measured."""
 
 
 class Usage:
@@ -47,9 +47,9 @@ class Bench:
     def __init__(self, build, scratch, options):
         self.polhode, self.tests = build / "app/polhode", build / "tests/bench"
         self.scratch, self.options = scratch, options
-        for program in (self.polhode, self.tests / "render_bench", self.tests / "png_figures"):
+        for program in (self.polhode, self.tests / "render_bench", self.tests / "png_bench"):
             if not program.exists():
-                sys.exit(f"rendering_figures: {program} is not there; build the preset bench first")
+                sys.exit(f"rendering_benchmarks: {program} is not there; build the preset bench first")
 
     def run(self, command, environment=None, cores=None):
         """Output and usage of a command that ends by itself, held to those cores."""
@@ -164,7 +164,7 @@ def run_peer(bench, program, full, scene):
     return told["cpu_ms"], told["wall_ms"]
 
 
-def frame_figures(table, bench):
+def frame_benchmarks(table, bench):
     turns, missing = take_turns(bench)
     ours, film = medians(turns, OURS), medians(turns, FILM)
     table.row("1080p frame to PNG, moving camera (BM_Frame): CPU", "<= 65 ms", ms(ours), ours[0] <= 65)
@@ -173,7 +173,7 @@ def frame_figures(table, bench):
     table.row("its frames/s (stretch: 40)", ">= 30", f"{1e3 / film[1]:.1f}", 1e3 / film[1] >= 30)
     for title, program, required in PEERS:
         for full in (True, False):
-            peer_figure(table, turns, missing, (program, full), title + (", all the look" if full else ", the least"),
+            peer_benchmark(table, turns, missing, (program, full), title + (", all the look" if full else ", the least"),
                         required)
     guarded(table, "our own MSAA path / ours, CPU", ">= 4", lambda: at_least(4, turns, OLD))
     if bench.options.before:
@@ -182,15 +182,15 @@ def frame_figures(table, bench):
     guarded(table, "4K frame / 1080p frame, CPU", "<= 4.2", lambda: at_most(4.2, turns, LARGE, OURS))
 
 
-def peer_figure(table, turns, missing, key, title, required):
+def peer_benchmark(table, turns, missing, key, title, required):
     """The requirement is one of frames/s, as its sources count; CPU stands beside it."""
-    figure = f"{title} / ours: frames/s (CPU)"
+    benchmark = f"{title} / ours: frames/s (CPU)"
     if key in missing:
-        table.row(figure, f">= {required}", "left out: " + missing[key])
+        table.row(benchmark, f">= {required}", "left out: " + missing[key])
         return
     pace = ratio(turns, key, FILM, 1)
     cpu, wall = medians(turns, key)
-    table.row(figure, f">= {required}", f"{pace:.1f} ({ratio(turns, key, OURS):.1f}): {cpu:.0f} CPU ms, "
+    table.row(benchmark, f">= {required}", f"{pace:.1f} ({ratio(turns, key, OURS):.1f}): {cpu:.0f} CPU ms, "
               f"{wall:.0f} wall", pace >= required)
 
 
@@ -204,7 +204,7 @@ def at_most(required, turns, above, below):
     return f"{cpu:.2f} ({medians(turns, above)[0]:.1f} / {medians(turns, below)[0]:.1f} CPU ms)", cpu <= required
 
 
-def quality_figure(table, bench):
+def quality_benchmark(table, bench):
     """Of the picture that users get by default and of plain multisampling, each against one drawn 4 x 4 finer."""
     told = json.loads(bench.run([bench.polhode, "measure", "--rendering", "--json"])[0])
     rows = {row["setting"]: row for row in told["rows"]}
@@ -222,11 +222,11 @@ def quality_figure(table, bench):
 # ---- PNG, memory ------------------------------------------------------------------------------------------
 
 
-def png_figures(table, bench):
+def png_benchmarks(table, bench):
     folder = bench.folder("picture")
     bench.run(bench.export(folder, 1))
     picture = next(folder.glob("*.png"))
-    told = json.loads(bench.run([bench.tests / "png_figures", picture, bench.options.png_turns])[0])
+    told = json.loads(bench.run([bench.tests / "png_bench", picture, bench.options.png_turns])[0])
     fast, small, default = (told[name] for name in ("fast", "small", "default"))
     table.row("PNG of a 1080p frame, --png fast", "<= 30 ms", f"{fast['ms']:.1f} CPU ms", fast["ms"] <= 30)
     table.row("its size / libpng's default", "<= 1.15", f"{fast['bytes'] / default['bytes']:.3f} "
@@ -235,7 +235,7 @@ def png_figures(table, bench):
               f"{small['bytes'] / default['bytes']:.3f} of the size")
 
 
-def memory_figure(table, bench):
+def memory_benchmark(table, bench):
     used = bench.run(bench.export(bench.folder("large"), 12, "3840x2160"))[1]
     table.row("memory of an export at 4K", "<= 400 MiB", f"{used.peak_mib:.0f} MiB", used.peak_mib <= 400)
 
@@ -250,7 +250,7 @@ def cpu_and_memory_of(pid):
     return (int(stat[11]) + int(stat[12])) / os.sysconf("SC_CLK_TCK"), pages * resource.getpagesize() / 2**20
 
 
-def long_figures(table, bench):
+def long_benchmarks(table, bench):
     """CPU of a frame in stretches at the start and at the end of one export of small frames, and its memory at both."""
     frames, stretch = bench.options.long_frames, bench.options.long_frames // 40
     folder = bench.folder("long")
@@ -323,7 +323,7 @@ class Kills:
             self.count += 1
 
 
-def kill_figure(table, bench):
+def kill_benchmark(table, bench):
     """Shards 1..8 in any order, each killed and started again at random times, against one run alone."""
     kills = Kills(bench)
     for shards in range(1, 9):
@@ -366,7 +366,7 @@ def shared(bench, frames, shards, cores=None):
     return time.monotonic() - start
 
 
-def core_figures(table, bench):
+def core_benchmarks(table, bench):
     """What a second core is worth. Counted are the frames between a short run and a longer one, not starting up. A
     process with one drawing thread keeps more than one core busy, since it encodes in another thread; so the same is
     also measured with the one process held to one core."""
@@ -384,24 +384,24 @@ def core_figures(table, bench):
                            for count, on in ((1, None), (1, {cores[0]}), (2, None)))
         gains["threads"].append(free / two)
         gains["threads held"].append(held / two)
-    for name, figure in (("processes", "two processes / one, LP_NUM_THREADS=1"),
-                         ("processes held", "two on two cores / one on one core, LP_NUM_THREADS=1"),
-                         ("threads", "one process, LP_NUM_THREADS 2 / 1"),
-                         ("threads held", "one process, 2 on two cores / 1 on one core")):
+    for name, benchmark in (("processes", "two processes / one, LP_NUM_THREADS=1"),
+                            ("processes held", "two on two cores / one on one core, LP_NUM_THREADS=1"),
+                            ("threads", "one process, LP_NUM_THREADS 2 / 1"),
+                            ("threads held", "one process, 2 on two cores / 1 on one core")):
         gain = median(gains[name])
-        table.row(figure, ">= 1.8", f"{gain:.2f} x the frames/s", gain >= 1.8)
+        table.row(benchmark, ">= 1.8", f"{gain:.2f} x the frames/s", gain >= 1.8)
 
 
-def guarded(table, figure, required, measure):
+def guarded(table, benchmark, required, measure):
     try:
         measured, holds = measure()
-        table.row(figure, required, measured, holds)
+        table.row(benchmark, required, measured, holds)
     except Missing as reason:
-        table.row(figure, required, f"not measured: {reason}")
+        table.row(benchmark, required, f"not measured: {reason}")
 
 
-PARTS = {"frame": frame_figures, "quality": quality_figure, "png": png_figures, "memory": memory_figure,
-         "long": long_figures, "kills": kill_figure, "cores": core_figures}
+PARTS = {"frame": frame_benchmarks, "quality": quality_benchmark, "png": png_benchmarks, "memory": memory_benchmark,
+         "long": long_benchmarks, "kills": kill_benchmark, "cores": core_benchmarks}
 
 
 def main():

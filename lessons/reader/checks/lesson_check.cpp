@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/page/loaded_lesson.h"
+#include "lessons/reader/checks/lesson_check.h"
 
 #include "lessons/reader/checks/claim_check.h"
 #include "lessons/reader/checks/lint_budget.h"
@@ -14,7 +14,6 @@
 #include <utility>
 
 namespace polhode {
-
 namespace {
 
 /// The model's objections to each scene, at the place of its stage.
@@ -41,10 +40,6 @@ std::vector<Diagnostic> model_diagnostics(const Lesson& lesson, std::string_view
   return found;
 }
 
-}  // namespace
-
-namespace {
-
 /// The model's objections to each row of a table, at its place.
 std::vector<Diagnostic> row_diagnostics(const Lesson& lesson, std::string_view file_name,
                                         const Effort& effort) {
@@ -54,7 +49,7 @@ std::vector<Diagnostic> row_diagnostics(const Lesson& lesson, std::string_view f
     if (!number.row || number.row.get() == before) continue;
     before = number.row.get();
     try {
-      const SceneModel model = make_model(before->scene, Product::numbers, effort);
+      const SceneModel model = make_model(before->scene, ModelFor::numbers, effort);
       if (!is_computable(model, before->scene.at_s))
         found.push_back(
             {Severity::error, std::string(file_name), before->place,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/claims/proof/small_states.h"
+#include "lessons/claims/proof/whole_number_states.h"
 
 #include "lessons/claims/proof/counterexample_text.h"
 #include "lessons/claims/proof/dependence.h"
 #include "lessons/claims/proof/expansion.h"
 #include "lessons/claims/proof/rational_function.h"
-#include "lessons/claims/proof/small_numbers.h"
+#include "lessons/claims/proof/whole_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -98,7 +98,7 @@ std::size_t size_of(const std::vector<Bound>& bounds) {
 
 bool is_possible(const Given& given) {
   constexpr int kMostDoublings = 140;
-  for (const SmallNumbers& body : small_bodies())
+  for (const WholeNumbers& body : whole_number_bodies())
     for (int doublings = -kMostDoublings; doublings <= kMostDoublings; ++doublings) {
       auto numbers = as<SizedNumber>(body);
       for (SizedNumber& moment : numbers.I) moment = std::ldexp(moment.value, doublings);
@@ -108,22 +108,22 @@ bool is_possible(const Given& given) {
   return false;
 }
 
-std::optional<Counterexample> first_small_state(const Equality& equality, const Equality* premise,
-                                                Assumption assumption, const Given& given, Relation relation,
-                                                int* tried) {
-  Dependence depends = dependence_of(equality, assumption, given);
-  if (premise) depends |= dependence_of(*premise, assumption, given);
+std::optional<Counterexample> first_whole_number_state(const Equality& equality, const Equality* premise,
+                                                       LawsAssumed laws, const Given& given,
+                                                       Relation relation, int* tried) {
+  Dependence depends = dependence_of(equality, laws, given);
+  if (premise) depends |= dependence_of(*premise, laws, given);
   std::optional<Counterexample> found;
   const std::size_t work = size_of(equality) + (premise ? size_of(*premise) : 0) + size_of(given.bounds);
   std::size_t work_left = kMostWork;
-  const auto look_at = [&](const SmallNumbers& numbers) {
+  const auto look_at = [&](const WholeNumbers& numbers) {
     if (work_left < work) return true;
     work_left -= work;
     const auto exact_numbers = with_given(as<FieldElement>(numbers), given);
     const auto real_numbers = with_given(as<SizedNumber>(numbers), given);
     if (!exact_numbers || !real_numbers || !is_possible_body(real_numbers->I)) return false;
-    const auto exact = state_of(*exact_numbers, assumption, given);
-    const auto real = state_of(*real_numbers, assumption, given);
+    const auto exact = state_of(*exact_numbers, laws, given);
+    const auto real = state_of(*real_numbers, laws, given);
     if (!exact || !real || !are_within(given, *real) || (premise && !holds(*premise, *exact, *real)))
       return false;
     if (tried != nullptr && sides_of(equality, *real)) ++*tried;
@@ -135,7 +135,7 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
                            std::move(state.tex)};
     return true;
   };
-  for_each_small_state(depends, look_at);
+  for_each_whole_number_state(depends, look_at);
   // Where inequalities are given, the states above may all be beyond them; and a premise may hold in none.
   if (!is_order(relation) && given.bounds.empty() && !premise) return found;
   std::mt19937_64 random(1);
@@ -144,25 +144,25 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
   return found;
 }
 
-std::optional<Counterexample> first_small_expansion(const Equality& equality, Assumption assumption,
+std::optional<Counterexample> first_state_in_series(const Equality& equality, LawsAssumed laws,
                                                     const Given& given, int& differ_at) {
-  const Dependence depends = dependence_of(equality, assumption, given);
+  const Dependence depends = dependence_of(equality, laws, given);
   std::optional<Counterexample> found;
   // An expansion costs as much as some thirty states.
   constexpr std::size_t kCost = 30;
   std::size_t work_left = kMostWork / kCost;
   const std::size_t work = size_of(equality) + size_of(given.bounds) / kCost;
-  const auto look_at = [&](const SmallNumbers& numbers) {
+  const auto look_at = [&](const WholeNumbers& numbers) {
     if (work_left < work) return true;
     work_left -= work;
     const auto real_numbers = with_given(as<SizedNumber>(numbers), given);
     if (!real_numbers || !is_possible_body(real_numbers->I)) return false;
-    const auto real = state_of(*real_numbers, assumption, given);
+    const auto real = state_of(*real_numbers, laws, given);
     if (!real || !are_within(given, *real)) return false;
-    const auto sides = expanded_sides(equality, as<FieldElement>(numbers), assumption, given);
+    const auto sides = expanded_sides(equality, as<FieldElement>(numbers), laws, given);
     if (!sides || !compare_to_order(*sides, given.small.order).differ_at) return false;
     try {
-      const auto exact = expanded_sides(equality, as<Ratio>(numbers), assumption, given);
+      const auto exact = expanded_sides(equality, as<Ratio>(numbers), laws, given);
       const auto at = exact ? compare_to_order(*exact, given.small.order).differ_at : std::nullopt;
       if (!at) return false;
       differ_at = *at;
@@ -177,7 +177,7 @@ std::optional<Counterexample> first_small_expansion(const Equality& equality, As
     }
     return true;
   };
-  for_each_small_state(depends, look_at);
+  for_each_whole_number_state(depends, look_at);
   std::mt19937_64 random(1);
   for (int n = 0; n < kMixedStates && !found; ++n) look_at(mixed_numbers(random));
   return found;
@@ -205,7 +205,7 @@ bool bounds_are_possible(const Given& given) {
     }
     const auto replaced = with_given(numbers, given);
     if (!replaced || !is_possible_body(replaced->I) || !is_finite(*replaced)) continue;
-    const auto state = state_of(numbers, Assumption::identity, given);
+    const auto state = state_of(numbers, LawsAssumed::identity, given);
     if (state && std::all_of(given.bounds.begin(), given.bounds.end(),
                              [&](const Bound& bound) { return holds_in(bound, *state, kZero, true); }))
       return true;

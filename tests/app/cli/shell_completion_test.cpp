@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Help, manual pages and completion know the same commands and options: each is read as its user reads it.
-#include "app/cli/completion.h"
+#include "app/cli/shell_completion.h"
 
 #include "app/cli/commands/commands.h"
 #include "tests/app/run_program.h"
@@ -40,7 +40,7 @@ WordSet set_of(const Words& words) { return {words.begin(), words.end()}; }
 
 Words names_of_commands() {
   Words names;
-  for (const Command& command : program_commands()) names.push_back(command.name);
+  for (const ProgramCommand& command : program_commands()) names.push_back(command.name);
   return names;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/scene/model/arrow.h"
+#include "render/scene/model/transport_arrow.h"
 
 #include "physics/analysis/difference.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/figure/frame.h"
+#include "render/figure/pane_fit.h"
 
 #include "render/figure/make_figure.h"
 #include "render/figure/orbit_camera.h"
@@ -15,7 +15,7 @@ namespace polhode {
 namespace {
 
 using builders::ball_at;
-using builders::Places;
+using builders::Extents;
 using O = Overlay;
 
 /// Where points lie in a pane, in parts of its height: x from 0 to the aspect, y from 0 to 1.
@@ -102,7 +102,7 @@ std::vector<Case> cases() {
 
 constexpr double kTimes = 10;
 
-TEST(Frame, HoldsAllThatIsDrawnAtEveryTimeOfTheFilm) {
+TEST(PaneFit, HoldsAllThatIsDrawnAtEveryTimeOfTheFilm) {
   constexpr double kMargin = 0.01;  // of the frame's own, which is for halves of lines and for names
   for (const auto& [name, scene] : cases())
     for (const double aspect : {16.0 / 9.0, 0.7}) {
@@ -121,7 +121,7 @@ TEST(Frame, HoldsAllThatIsDrawnAtEveryTimeOfTheFilm) {
     }
 }
 
-TEST(Frame, IsFilledByTheFilm) {
+TEST(PaneFit, IsFilledByTheFilm) {
   constexpr double kLeast = 0.6;
   for (const auto& [name, scene] : cases())
     for (const double aspect : {16.0 / 9.0, 0.7}) {
@@ -140,18 +140,18 @@ TEST(Frame, IsFilledByTheFilm) {
     }
 }
 
-TEST(Frame, OfABallIsExact) {  // the outline of a ball that is not in the middle of the view is wider
+TEST(PaneFit, OfABallIsExact) {  // the outline of a ball that is not in the middle of the view is wider
   const CameraSpec spec{.azimuth_rad = 0.7, .elevation_rad = 0.4, .distance = 2.2};
-  const Places places = {ball_at({0.3, -0.2, 0.5}, 0.6), ball_at({-0.5, 0.4, -0.1}, 0.2)};
-  const FrameMargins margins{.side = 0.02, .top = 0.1, .bottom = 0.04};
+  const Extents extents = {ball_at({0.3, -0.2, 0.5}, 0.6), ball_at({-0.5, 0.4, -0.1}, 0.2)};
+  const PaneMargins margins{.side = 0.02, .top = 0.1, .bottom = 0.04};
   for (const double aspect : {2.0, 0.5}) {
-    const Camera camera = framed(frame_of(places, spec, aspect, margins), spec);
+    const Camera camera = fitted_camera(pane_fit(extents, spec, aspect, margins), spec);
     double left = 1, right = 0, top = 1, bottom = 0;
-    for (const auto& place : places)
+    for (const auto& extent : extents)
       for (int k = 0; k < 20000; ++k) {
         const double z = 1.0 - (2.0 * k + 1.0) / 20000, r = std::sqrt(1.0 - z * z), turn = 2.39996323 * k;
         const auto at =
-            project(camera, place.center + place.spread * Vec3(r * std::cos(turn), r * std::sin(turn), z),
+            project(camera, extent.center + extent.spread * Vec3(r * std::cos(turn), r * std::sin(turn), z),
                     1.0 * aspect, 1.0);
         ASSERT_TRUE(at);
         left = std::min(left, at->x() / aspect), right = std::max(right, at->x() / aspect);
@@ -176,7 +176,7 @@ double scale_of(const Camera& camera) {
   return 0.5 / (std::tan(0.5 * camera.fov_y_rad) * (camera.eye - camera.target).norm());
 }
 
-TEST(Frame, TurningTheCameraKeepsTheScale) {
+TEST(PaneFit, TurningTheCameraKeepsTheScale) {
   Scene scene = scene_with({O::shape, O::omega, O::L, O::axes_space, O::labels});
   const Camera before = make_figure(make_model(scene), 0.0, 1.2).panes[0].camera;
   scene.camera.fitted = CameraFit{scene.camera.azimuth_rad, scene.camera.elevation_rad};
@@ -190,7 +190,7 @@ TEST(Frame, TurningTheCameraKeepsTheScale) {
   EXPECT_GT(std::abs(scale_of(fitted) / scale_of(before) - 1), 0.01) << "it can fail";
 }
 
-TEST(Frame, ZoomIsOfTheFrameAndDistanceIsNot) {
+TEST(PaneFit, ZoomIsOfTheFrameAndDistanceIsNot) {
   Scene scene = scene_with({O::energy_ellipsoid, O::omega}, {View::body});
   const double plain = scale_of(make_figure(make_model(scene), 0.0, 1.0).panes[0].camera);
   scene.camera.zoom = 1.5;
@@ -209,7 +209,7 @@ TEST(Frame, ZoomIsOfTheFrameAndDistanceIsNot) {
   EXPECT_TRUE(seen.lies_within(1.0, 0.0));
 }
 
-TEST(Frame, OfTheStillIsFilledByItAtAnyTime) {
+TEST(PaneFit, OfTheStillIsFilledByItAtAnyTime) {
   Scene scene = scene_with({O::omega, O::L, O::axes_body, O::labels});
   scene.at_s = 2.0;
   const auto seen_at_still = [&] {
@@ -228,7 +228,7 @@ TEST(Frame, OfTheStillIsFilledByItAtAnyTime) {
   EXPECT_EQ(later.fov_y_rad, still.fov_y_rad);
 }
 
-TEST(Frame, ViewsBesideOneAnotherHaveOneScale) {
+TEST(PaneFit, ViewsBesideOneAnotherHaveOneScale) {
   const Scene scene = scene_with({O::shape, O::axes_space, O::labels}, {View::space, View::body});
   const Figure figure = make_figure(make_model(scene), 0.3, 2.0);
   EXPECT_NEAR(scale_of(figure.panes[0].camera), scale_of(figure.panes[1].camera), 1e-12);
