@@ -47,7 +47,6 @@ class LiveFigure {
   Status attach(std::unique_ptr<GlContext> context);
   /// Of a context that is lost or gone nothing is asked any more.
   void detach();
-  bool is_attached() const { return drawing_ != nullptr; }
 
   /// 0 without a scene.
   int height_for(int width) const;

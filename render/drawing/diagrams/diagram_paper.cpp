@@ -132,10 +132,6 @@ void DiagramPaper::text(const std::string& text, const Vec2& at, const Type& typ
   place(set_line(text, style, fonts_), at, type.align, text);
 }
 
-double DiagramPaper::width_of_math(const std::string& tex, double size) const {
-  return set(tex, size, false).width / unit_;
-}
-
 void DiagramPaper::line(const Vec2& from, const Vec2& to, double width, const Color& color, double dash) {
   sheet_.shapes.push_back(Stroke{{px(from), px(to)}, width * unit_, color, dash * unit_});
 }

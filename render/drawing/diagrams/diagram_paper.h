@@ -78,7 +78,6 @@ class DiagramPaper {
   /// A line of sans text, formulas between `$`.
   void text(const std::string& text, const Vec2& at, const Type& type);
   void text(const std::string& line, const Vec2& at) { text(line, at, Type()); }
-  double width_of_math(const std::string& tex, double size = 1) const;
 
   void line(const Vec2& from, const Vec2& to, double width, const Color& color, double dash = 0);
   void path(std::vector<Vec2> points, double width, const Color& color);
