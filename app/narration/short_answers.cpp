@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace polhode {
 
 namespace {
@@ -16,7 +18,11 @@ constexpr std::size_t kLongestState = 60;  ///< characters
 std::string answer_in_short(const Lesson& lesson, const Ask& ask) {
   if (ask.type == Ask::Type::derive) return {};
   if (ask.expression) return '$' + tex_of(*ask.expression, &lesson.notation.vocabulary) + '$';
-  if (ask.number) return words_of(*ask.number);
+  if (ask.number) {
+    const std::string words = words_of(*ask.number);
+    constexpr std::string_view kDegrees = " deg";
+    return words.ends_with(kDegrees) ? words.substr(0, words.size() - kDegrees.size()) + "°" : words;
+  }
   if (ask.task) {
     const std::string state = text_of(ask.task->solution);
     return state.empty() || state.size() > kLongestState ? "" : "for example " + state;

@@ -2,6 +2,7 @@
 #include "app/session/saved/bookmark.h"
 
 #include "app/cli/exit_codes.h"
+#include "lessons/reader/reader.h"
 #include "tests/app/run_program.h"
 #include "tests/app/session/example_lesson.h"
 
