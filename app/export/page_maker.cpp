@@ -2,6 +2,7 @@
 #include "app/export/folder/manifest.h"
 #include "app/export/picture_maker.h"
 #include "app/narration/alt_text.h"
+#include "app/narration/short_answers.h"
 #include "app/narration/speech_text.h"
 #include "app/narration/still_numbers.h"
 #include "app/page/figure_cells.h"
@@ -32,13 +33,16 @@ class PageMaker : public PictureMaker {
     if (!content) return passed_on(content);
     const auto& [shown, words] = *content;
     PictureDescription description{words->alt, words->tex, {}, {}, context_.options.size};
-    for (const FigureCell& cell : figures_on_page(request_of(picture, shown))) {
+    const PageRequest request = request_of(picture, shown);
+    for (const FigureCell& cell : figures_on_page(request)) {
       const Scene& scene = cell.model->scene;  // which a hand may have changed
       description.alt +=
           " Figure: " + alt_text(*cell.model, speech_.words_of_scenes(*cell.step, scene), cell.t_s);
       if (const std::string plots = speech_.words_of_plots(scene); !plots.empty())
         description.alt += " Plotted: " + plots;
     }
+    if (has_answers(request))
+      description.alt += ' ' + speech_.words_of_line(short_answers(request.lesson, request.stage)) + '.';
     if (!shown.model) return description;
     description.t_s = shown.t_s;
     description.method = shown.model->motion->method();

@@ -549,11 +549,9 @@ class ScaledText {
     return line.empty() ? nullptr : &small_lines(line);
   }
 
-  /// Below the last step of a stage that is read, where nobody else tells them; null: not here.
+  /// Null: they do not stand here.
   const ColumnPiece* answers_of_stage() {
-    if (!request_.before || last_ + 1 < request_.stage.steps.size()) return nullptr;
-    const std::string line = short_answers(request_.lesson, request_.stage);
-    return line.empty() ? nullptr : &small_lines(line);
+    return has_answers(request_) ? &small_lines(short_answers(request_.lesson, request_.stage)) : nullptr;
   }
 
   /// Words at the foot.
@@ -822,6 +820,11 @@ Result<std::vector<double>> heights_of_pages(const PageRequest& request, double 
                                              double em, const Fonts& fonts) {
   const TextParts parts = parts_of(request, fonts);
   return ScaledText(request, parts, width, em, 1.0, fonts).heights_back(height);
+}
+
+bool has_answers(const PageRequest& request) {
+  return request.before && request.step == std::ssize(request.stage.steps) &&
+         !short_answers(request.lesson, request.stage).empty();
 }
 
 void scroll_to(FittedText& text, double hidden) {

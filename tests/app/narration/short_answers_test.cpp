@@ -34,7 +34,7 @@ TEST(ShortAnswers, NameTheStepAndTheAnswerOfEachQuestion) {
   const Lesson lesson = lesson_of(std::string("Words.\n\n---\n\n") + kChoice + "\n---\n\nMore.\n" + kNumber +
                                   "\n---\n\n" + kExpression);
   EXPECT_EQ(short_answers(lesson, lesson.stages[0]),
-            "Answers: step 2, B; step 3, 12.5 J; step 4, $\\vec \\omega \\cdot \\vec L$");
+            "Answers: step 2, B; step 3, 12.5 J; step 4, $\\vec\\omega\\cdot \\vec L$");
 }
 
 TEST(ShortAnswers, AreNoneWhereNothingIsAsked) {
