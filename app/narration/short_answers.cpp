@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/short_answers.h"
 
+#include "base/ascii.h"
 #include "lessons/claims/answers/number_answer.h"
 #include "lessons/claims/expressions/expression_tex.h"
 #include "lessons/reader/questions/state_task.h"
@@ -13,7 +14,17 @@ namespace polhode {
 
 namespace {
 
-constexpr std::size_t kLongestState = 60;  ///< characters
+/// Whether nobody would mind to read its numbers: each has few digits.
+bool is_read_at_a_glance(std::string_view state) {
+  constexpr int kMostDigits = 4;
+  int digits = 0;
+  for (const char c : state) {
+    digits = is_digit(c) ? digits + 1 : c == '.' ? digits : 0;
+    if (digits > kMostDigits) return false;
+  }
+  constexpr std::size_t kMostCharacters = 60;
+  return !state.empty() && state.size() <= kMostCharacters;
+}
 
 std::string answer_in_short(const Lesson& lesson, const Ask& ask) {
   if (ask.type == Ask::Type::derive) return {};
@@ -25,7 +36,7 @@ std::string answer_in_short(const Lesson& lesson, const Ask& ask) {
   }
   if (ask.task) {
     const std::string state = text_of(ask.task->solution);
-    return state.empty() || state.size() > kLongestState ? "" : "for example " + state;
+    return is_read_at_a_glance(state) ? "for example " + state : "";
   }
   std::string letters;
   for (const int answer : ask.answers) {
