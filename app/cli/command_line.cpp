@@ -159,14 +159,14 @@ std::vector<std::string> spellings_of(std::string_view names) {
 std::vector<std::string> CommandOption::spellings() const { return spellings_of(names); }
 
 const std::vector<ExitMeaning>& exit_meanings() {
-  static const std::vector<ExitMeaning> meanings = {
+  static const std::vector<ExitMeaning> kMeanings = {
       {ExitCode::done, "done"},
       {ExitCode::failed, "failed while running"},
       {ExitCode::usage, "usage"},
       {ExitCode::invalid, "lesson, body or state invalid"},
       {ExitCode::different, "compared and different, a wrong answer, an export or a class not whole"},
       {ExitCode::interrupted, "interrupted"}};
-  return meanings;
+  return kMeanings;
 }
 
 ExitCode run_command_line(const std::vector<ProgramCommand>& commands, int argc, const char* const* argv) {

@@ -230,15 +230,19 @@ std::optional<std::string> why_not_measured(const Claim& claim, const SceneModel
   return std::nullopt;
 }
 
-}  // namespace
+std::string_view claimed_is(const Claim& claim, Certainty certainty) {
+  if (claim.origin == Claim::Origin::part) return "in part";
+  if (certainty == Certainty::proved) return "proved";
+  if (certainty == Certainty::stated) return claim.kind == ClaimKind::measured ? "checked" : "stated";
+  return "claimed";
+}
 
-VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel* model) {
+VerdictRow verdict_on(const Claim& claim, const Scene* scene, const SceneModel* model) {
   VerdictRow row{.claim = &claim,
                  .certainty = certainty_of(claim.kind),
                  .word = std::string(word_of(claim.kind)),
                  .note = words_of(claim.given, claim.kind),
                  .claimed = {}};
-  if (claim.origin == Claim::Origin::part) row.claimed_is = "in part";
   const auto is_instead = [&row](Certainty certainty, std::string word, std::string note) {
     row.certainty = certainty;
     row.word = std::move(word);
@@ -276,6 +280,14 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
   row.note = joined(joined(how_it_is_computed(scene), within_of(claim)), row.note);
   if (const auto why = model ? why_not_measured(claim, *model) : std::nullopt)
     is_instead(Certainty::open, "not confirmed", *why);
+  return row;
+}
+
+}  // namespace
+
+VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel* model) {
+  VerdictRow row = verdict_on(claim, scene, model);
+  row.claimed_is = claimed_is(claim, row.certainty);
   return row;
 }
 

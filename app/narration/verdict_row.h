@@ -28,8 +28,9 @@ struct VerdictRow {
   std::string example{};
   /// Where the equation itself is not what is claimed: each line of the claim, as TeX.
   std::vector<std::string> claimed;
-  /// What that says of the equation.
-  std::string_view claimed_is = "in other words";
+  /// What has become of that: it is "proved", "checked" or "stated", or only "claimed"; or it says the
+  /// equation "in part".
+  std::string_view claimed_is = "claimed";
 };
 /// `scene` is that of the claim's own step and says how its motion is computed; null where there is none.
 /// With a model of it, measured claims are measured. A claim that nobody has proved is "not proved".

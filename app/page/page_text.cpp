@@ -700,7 +700,8 @@ class ScaledText {
     VerdictRow row = parts_.verdicts.at(&claim);
     if (is_print && claim.kind == ClaimKind::measured && row.certainty == Certainty::stated) row.note.clear();
     if (is_slide() && !row.claimed.empty()) {
-      row.note = std::string(row.claimed_is) + (row.note.empty() ? "" : ", " + row.note);
+      const char* how = claim.origin == Claim::Origin::part ? "in part" : "in other words";
+      row.note = how + (row.note.empty() ? std::string() : ", " + row.note);
       row.claimed.clear();
     }
     ColumnPiece piece = column_.verdict(row, has_numbers);

@@ -384,7 +384,7 @@ ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
   return piece;
 }
 
-/// "In other words: …": one formula beside the other, as many in a row as there is room for.
+/// "Proved: …": one formula beside the other, as many in a row as there is room for.
 void TextColumn::add_claimed(const VerdictRow& verdict, const TextStyle& style, ColumnPiece& piece) const {
   const std::vector<std::string>& claimed = verdict.claimed;
   const double gap = std::round(kClaimedGap * style.size);

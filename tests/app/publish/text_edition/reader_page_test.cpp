@@ -290,7 +290,7 @@ TEST(Reader, AVerdictStandsInWords) {
   });
   ASSERT_EQ(verdicts.size(), 1u);
   // The line is a claim beside the formula: the verdict is about that.
-  EXPECT_EQ(verdicts[0], "In other words: d vector L over d t equals vector N law");
+  EXPECT_EQ(verdicts[0], "Stated: d vector L over d t equals vector N law");
 }
 
 TEST(Reader, QuestionsHaveWhatTheyAreJudgedBy) {
