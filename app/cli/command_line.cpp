@@ -103,11 +103,11 @@ void add_option(CLI::App& app, const CommandOption& option) {
 }
 
 /// The line as the parser takes it, last word first. A value that begins with a dash is shielded by a space.
-std::vector<std::string> words_for_parser(const std::vector<Command>& commands, int argc,
+std::vector<std::string> words_for_parser(const std::vector<ProgramCommand>& commands, int argc,
                                           const char* const* argv) {
   std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
   const bool shielded =
-      !words.empty() && std::any_of(commands.begin(), commands.end(), [&](const Command& command) {
+      !words.empty() && std::any_of(commands.begin(), commands.end(), [&](const ProgramCommand& command) {
         return command.dash_begins_value && command.name == words.front();
       });
   if (shielded)
@@ -121,7 +121,7 @@ void unshield(std::string& value) {
   if (value.starts_with(" -")) value.erase(0, 1);
 }
 
-void unshield_values(const Command& command) {
+void unshield_values(const ProgramCommand& command) {
   for (const CommandOption& option : command.options) {
     if (std::string* const* text = std::get_if<std::string*>(&option.target)) unshield(**text);
     if (const auto* text = std::get_if<std::optional<std::string>*>(&option.target))
@@ -169,11 +169,11 @@ const std::vector<ExitMeaning>& exit_meanings() {
   return meanings;
 }
 
-ExitCode run_command_line(const std::vector<Command>& commands, int argc, const char* const* argv) {
+ExitCode run_command_line(const std::vector<ProgramCommand>& commands, int argc, const char* const* argv) {
   CLI::App app(kProgramAbout, "polhode");
   describe_program(app);
   app.require_subcommand(0, 1);  // the name of a second one is a value: polhode help export
-  for (const Command& command : commands) {
+  for (const ProgramCommand& command : commands) {
     CLI::App& added = *app.add_subcommand(command.name, command.about);
     for (const CommandOption& option : command.options) add_option(added, option);
     added.footer(command.footer);
@@ -183,7 +183,7 @@ ExitCode run_command_line(const std::vector<Command>& commands, int argc, const 
   } catch (const CLI::ParseError& error) {
     return report(app, error);
   }
-  for (const Command& command : commands)
+  for (const ProgramCommand& command : commands)
     if (const CLI::App& parsed = *app.get_subcommand(command.name); parsed.parsed()) {
       if (command.dash_begins_value) unshield_values(command);
       return command.run(words_of(parsed));

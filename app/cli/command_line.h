@@ -51,7 +51,7 @@ struct CommandOption {
 /// without its flags. An export is resumed by them.
 using CommandWords = std::vector<std::string>;
 
-struct Command {
+struct ProgramCommand {
   std::string name, about;
   std::vector<CommandOption> options;
   std::string footer = {};  ///< of its help
@@ -86,6 +86,6 @@ std::vector<std::string> spellings_of(std::string_view names);
 
 /// Reads the line and runs the command it names. Answers --help and --version on stdout; a mistake gets one
 /// message on stderr, with "did you mean", and ExitCode::usage. @throws what the command throws
-ExitCode run_command_line(const std::vector<Command>& commands, int argc, const char* const* argv);
+ExitCode run_command_line(const std::vector<ProgramCommand>& commands, int argc, const char* const* argv);
 
 }  // namespace polhode

@@ -7,6 +7,7 @@
 #include "base/interrupt.h"
 #include "base/sha256.h"
 #include "base/spelling.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "lessons/reader/checks/type_check.h"
 

@@ -78,7 +78,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-std::string page_name(const Command& command) { return "polhode-" + command.name; }
+std::string page_name(const ProgramCommand& command) { return "polhode-" + command.name; }
 
 std::string head(const std::string& page, std::string_view about) {
   return fmt::format(".\\\" Made by: polhode help --man\n.TH {} 1 \"\" {} {}\n.SH NAME\n{} \\- {}\n",
@@ -150,13 +150,13 @@ constexpr Example kExamples[] = {
 
 }  // namespace
 
-std::string man_page(const std::vector<Command>& commands) {
+std::string man_page(const std::vector<ProgramCommand>& commands) {
   std::string text = head("polhode", as_name(kProgramAbout));
   text += ".SH SYNOPSIS\n" + bold("polhode") + " " + italic("COMMAND") + " [" + italic("OPTION") + "]...\n";
   text += ".SH DESCRIPTION\n" + paragraphs(kLessonAndNumbers);
   text += ".PP\nResults go to stdout, messages to stderr.\n";
   text += ".SH COMMANDS\n.PP\nEach has a page of its own.\n";
-  for (const Command& command : commands)
+  for (const ProgramCommand& command : commands)
     text += fmt::format(".TP\n.BR {} (1)\n{}\n", roff(page_name(command)), roff(as_sentence(command.about)));
   text += ".SH OPTIONS\n";
   for (const CommonFlag& flag : {kHelpFlag, kVersionFlag})
@@ -174,12 +174,12 @@ std::string man_page(const std::vector<Command>& commands) {
   text += ".SH EXAMPLES\n";
   for (const Example& example : kExamples) text += entry(bold(example.line), example.about);
   std::vector<std::string> pages;
-  for (const Command& command : commands) pages.push_back(page_name(command));
+  for (const ProgramCommand& command : commands) pages.push_back(page_name(command));
   pages.insert(pages.end(), {"ffmpeg", "parallel", "sbatch"});
   return text + see_also(pages);
 }
 
-std::string man_page(const Command& command, const std::vector<Command>& commands) {
+std::string man_page(const ProgramCommand& command, const std::vector<ProgramCommand>& commands) {
   std::string text = head(page_name(command), as_name(command.about));
   text += ".SH SYNOPSIS\n" + bold("polhode " + command.name) + " [" + italic("OPTION") + "]...";
   for (const CommandOption& option : command.options)
@@ -195,7 +195,7 @@ std::string man_page(const Command& command, const std::vector<Command>& command
     if (!option.is_argument()) text += entry(spelled(option.spellings(), value_form(option)), option.about);
   text += exit_status();
   std::vector<std::string> pages = {"polhode"};
-  for (const Command& other : commands)
+  for (const ProgramCommand& other : commands)
     if (command.footer.find("polhode " + other.name + " ") != command.footer.npos &&
         other.name != command.name)
       pages.push_back(page_name(other));

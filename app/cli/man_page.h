@@ -12,9 +12,9 @@
 namespace polhode {
 
 /// polhode(1): what the program is, its commands, environment, files, exit status and examples.
-std::string man_page(const std::vector<Command>& commands);
+std::string man_page(const std::vector<ProgramCommand>& commands);
 
 /// polhode-COMMAND(1): what the command does and takes. It refers to those of `commands` that its text names.
-std::string man_page(const Command& command, const std::vector<Command>& commands);
+std::string man_page(const ProgramCommand& command, const std::vector<ProgramCommand>& commands);
 
 }  // namespace polhode

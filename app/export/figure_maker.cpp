@@ -92,7 +92,7 @@ class FigureMaker : public PictureMaker {
 
   MakerContext context_;
   SpeechText speech_;
-  ModelOfScene models_{Product::figure, context_.effort};
+  ModelOfScene models_{ModelFor::figure, context_.effort};
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "app/export/folder/manifest.h"
 #include "app/export/picture_maker.h"
 #include "app/narration/alt_text.h"
+#include "app/narration/short_answers.h"
 #include "app/narration/speech_text.h"
 #include "app/narration/still_numbers.h"
 #include "app/page/figure_cells.h"
@@ -32,13 +33,16 @@ class PageMaker : public PictureMaker {
     if (!content) return passed_on(content);
     const auto& [shown, words] = *content;
     PictureDescription description{words->alt, words->tex, {}, {}, context_.options.size};
-    for (const FigureCell& cell : figures_on_page(request_of(picture, shown))) {
+    const PageRequest request = request_of(picture, shown);
+    for (const FigureCell& cell : figures_on_page(request)) {
       const Scene& scene = cell.model->scene;  // which a hand may have changed
       description.alt +=
           " Figure: " + alt_text(*cell.model, speech_.words_of_scenes(*cell.step, scene), cell.t_s);
       if (const std::string plots = speech_.words_of_plots(scene); !plots.empty())
         description.alt += " Plotted: " + plots;
     }
+    if (has_answers(request))
+      description.alt += ' ' + speech_.words_of_line(short_answers(request.lesson, request.stage)) + '.';
     if (!shown.model) return description;
     description.t_s = shown.t_s;
     description.method = shown.model->motion->method();
@@ -122,7 +126,7 @@ class PageMaker : public PictureMaker {
       before.push_back({.step = step});
       if (!scene) continue;
       if (known == models_before_.size())
-        models_before_.push_back(make_model(*scene, Product::page, context_.effort));
+        models_before_.push_back(make_model(*scene, ModelFor::page, context_.effort));
       const SceneModel& model = models_before_[known++];
       before.back().model = &model;
       before.back().t_s = context_.options.at_s.value_or(still_time_s(*scene));
@@ -144,7 +148,7 @@ class PageMaker : public PictureMaker {
   }
 
   static PageEntrance entrance_of(std::optional<double> opacity) {
-    if (!opacity) return Standing{};
+    if (!opacity) return StandingStill{};
     return FadingIn{*opacity};
   }
 
@@ -190,7 +194,7 @@ class PageMaker : public PictureMaker {
 
   MakerContext context_;
   SpeechText speech_;
-  ModelOfScene models_{Product::page, context_.effort};
+  ModelOfScene models_{ModelFor::page, context_.effort};
   const Stage* stage_before_ = nullptr;
   int first_before_ = 0;
   std::deque<SceneModel> models_before_;  ///< of the steps from there that are on the same page

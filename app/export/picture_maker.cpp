@@ -10,7 +10,7 @@ namespace polhode {
 
 const SceneModel& ModelOfScene::of(const Scene& scene) {
   if (scene_ != &scene) {
-    model_ = make_model(scene, product_, effort_);
+    model_ = make_model(scene, use_, effort_);
     scene_ = &scene;
   }
   return model_;

@@ -52,12 +52,11 @@ std::unique_ptr<PictureMaker> make_equation_maker(const MakerContext& context);
 /// The model of the scene asked for last: neighbours in an export mostly share it.
 class ModelOfScene {
  public:
-  explicit ModelOfScene(Product product, Effort effort = {})
-      : product_(product), effort_(std::move(effort)) {}
+  explicit ModelOfScene(ModelFor use, Effort effort = {}) : use_(use), effort_(std::move(effort)) {}
   const SceneModel& of(const Scene& scene);
 
  private:
-  Product product_;
+  ModelFor use_;
   Effort effort_;
   const Scene* scene_ = nullptr;
   SceneModel model_;

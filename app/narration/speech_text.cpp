@@ -3,6 +3,7 @@
 
 #include "app/narration/number_text.h"
 #include "app/narration/verdict_row.h"
+#include "base/ascii.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "lessons/reader/questions/state_task.h"
 #include "lessons/reader/scene/varied_scene.h"
@@ -215,15 +216,14 @@ std::string SpeechText::words_of_line(const std::string& line) const {
 
 std::string SpeechText::words(const Claim& claim, const Scene* scene) const {
   const VerdictRow row = verdict_row(claim, scene, nullptr);
-  std::string word = row.word;
-  word.front() = static_cast<char>(word.front() - 'a' + 'A');
+  const std::string word = capitalized(row.word);
   const std::string note =
       words_of_line(row.note + (row.note.empty() || row.example.empty() ? "" : ", ") + row.example);
   std::string text = note.empty() ? word + '.' : word + ", " + note + '.';
   std::string claimed;
   for (const std::string& tex : row.claimed)
     if (const auto math = parse_math(tex)) claimed += (claimed.empty() ? "" : "; ") + words(*math);
-  return claimed.empty() ? text : "Claimed: " + sentence(claimed) + ' ' + text;
+  return claimed.empty() ? text : capitalized(row.claimed_is) + ": " + sentence(claimed) + ' ' + text;
 }
 
 std::string SpeechText::words(const Callout& callout, std::vector<NoteLink>* links) const {

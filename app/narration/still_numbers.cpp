@@ -36,7 +36,7 @@ StillNumbers::Values StillNumbers::computed(const Lesson& lesson, const Step& st
   if (ids.empty()) return values;
   const Scene& scene = *shown_scenes(*step.scene)[shown];
   const std::optional<LiveState> live =
-      live_state(make_model(scene, Product::numbers, effort_), still_time_s(*step.scene));
+      live_state(make_model(scene, ModelFor::numbers, effort_), still_time_s(*step.scene));
   for (const int id : ids)
     if (const auto value =
             live ? value_of(lesson.numbers[static_cast<std::size_t>(id)], *live) : std::nullopt)

@@ -74,7 +74,7 @@ std::string words_of(const Given& given, ClaimKind kind) {
 /// What is true of other motions than the one beside it does not stand there as if it were of that, too.
 std::string why_not_of_this(ClaimKind kind, const Scene& scene) {
   const bool is_of_motions = kind == ClaimKind::free || kind == ClaimKind::motion || kind == ClaimKind::law;
-  if (is_of_motions && slips(scene)) return "not of this body, which loses energy inside";
+  if (is_of_motions && loses_energy_inside(scene)) return "not of this body, which loses energy inside";
   return kind == ClaimKind::free && !scene.torque.empty() ? "here one acts" : "";
 }
 
@@ -238,6 +238,7 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
                  .word = std::string(word_of(claim.kind)),
                  .note = words_of(claim.given, claim.kind),
                  .claimed = {}};
+  if (claim.origin == Claim::Origin::part) row.claimed_is = "in part";
   const auto is_instead = [&row](Certainty certainty, std::string word, std::string note) {
     row.certainty = certainty;
     row.word = std::move(word);

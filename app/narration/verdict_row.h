@@ -28,6 +28,8 @@ struct VerdictRow {
   std::string example{};
   /// Where the equation itself is not what is claimed: each line of the claim, as TeX.
   std::vector<std::string> claimed;
+  /// What that says of the equation.
+  std::string_view claimed_is = "in other words";
 };
 /// `scene` is that of the claim's own step and says how its motion is computed; null where there is none.
 /// With a model of it, measured claims are measured. A claim that nobody has proved is "not proved".

@@ -131,36 +131,58 @@ bool is_written(const Scene& scene, double t_s, const FigurePlace& place) {
   return !place.rooms_alone && holds && caption_holds(scene, t_s);
 }
 
-/// Below what stands in the box, in as many lines as it takes; the box is cut by them, whether it is written
-/// or not.
-void cut_caption(const std::string& caption, bool is_written, const FigurePlace& place, PixelBox& box,
-                 Sheet& sheet, const Fonts& fonts) {
-  if (caption.empty()) return;
-  const double em = place.caption_px, pad = kPad * em;
+/// A caption in as many lines as it takes.
+struct CaptionLines {
+  DisplayList lines{};
+  double above = 0, height = 0;  ///< px, of the first baseline and of all, with what is free around them
+};
+
+CaptionLines caption_lines(const std::string& caption, double width, const FigurePlace& place,
+                           const Fonts& fonts) {
+  if (caption.empty()) return {};
+  const double em = place.caption_px;
   TextStyle style;
   style.size = em;
   style.color = diagram_style(place).ink;
   style.sans = true;
   style.leading = kCaptionLeading;
-  style.width = std::max(em, box.width() - 2.0 * pad);
+  style.width = std::max(em, width - 2.0 * kPad * em);
   DisplayList lines = set_lines(caption, style, fonts);
   style.size *= std::min(1.0, style.width / lines.width);  // a long word in a narrow place
   lines = set_lines(caption, style, fonts);
   const double above = std::round(kCaptionGap * em + std::max(lines.ascent, kCaptionTop * em));
-  const double y1 = box.y1 - above - std::round(lines.depth + kCaptionGap * em);
+  const double height = above + std::round(lines.depth + kCaptionGap * em);
+  return {std::move(lines), above, height};
+}
+
+/// Below what stands in the box, which is cut by it, whether it is written or not: by `least` px, so that
+/// pictures side by side end at one height.
+void cut_caption(const std::string& caption, bool is_written, double least, const FigurePlace& place,
+                 PixelBox& box, Sheet& sheet, const Fonts& fonts) {
+  CaptionLines set = caption_lines(caption, box.width(), place, fonts);
+  const double y1 = box.y1 - std::max(set.height, least);
+  if (y1 == box.y1) return;
   if (place.ground) add_ground({box.x0, y1, box.x1, box.y1}, *place.ground, sheet);
-  if (is_written)
-    sheet.texts.push_back(
-        {.list = std::move(lines), .at = {std::round(box.x0 + pad), y1 + above}, .text = caption});
+  if (is_written && !caption.empty())
+    sheet.texts.push_back({.list = std::move(set.lines),
+                           .at = {std::round(box.x0 + kPad * place.caption_px), y1 + set.above},
+                           .text = caption});
   box.y1 = y1;
 }
 
-/// One scene, whatever stands beside it, with a caption of its own or none; `first` is that of all of them.
-PlacedFigure place_scene(const SceneModel& model, const std::string& caption, bool is_written, double t_s,
+/// What stands below one scene.
+struct OwnCaption {
+  std::string text{};
+  bool is_written = false;
+  double least = 0;  ///< px, of the room that it has
+};
+
+/// One scene, whatever stands beside it; `first` is that of all of them.
+PlacedFigure place_scene(const SceneModel& model, const OwnCaption& caption, double t_s,
                          const FigurePlace& place, const Fonts& fonts, const SceneModel& first) {
   PlacedFigure placed;
   PixelBox box = box_of(place.rect);
-  cut_caption(caption, is_written, place, box, placed.sheet, fonts);
+  cut_caption(caption.text, caption.is_written, caption.least, place, box, placed.sheet, fonts);
   if (is_plots_alone(model)) {
     placed.plots.push_back(box);
     return placed;
@@ -193,20 +215,28 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
     return place.captions.empty() ? shown[i]->scene.caption : place.captions[i];
   };
   const auto writes = [&](std::size_t i) { return is_written(shown[i]->scene, t_s, place); };
-  if (shown.size() == 1) return place_scene(model, caption_of(0), writes(0), t_s, place, fonts, model);
+  if (shown.size() == 1) return place_scene(model, {caption_of(0), writes(0)}, t_s, place, fonts, model);
   PlacedFigure placed;
   PixelBox box = box_of(place.rect);
   const bool is_common = have_one_caption(shown_scenes(model.scene));
   if (is_common)
-    cut_caption(caption_of(model.scene.before), writes(model.scene.before), place, box, placed.sheet, fonts);
+    cut_caption(caption_of(model.scene.before), writes(model.scene.before), 0, place, box, placed.sheet,
+                fonts);
   const std::vector<PixelBox> cells = places_of_scenes(model, box);
+  std::vector<OwnCaption> captions;
+  double highest = 0;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const std::string& label = shown[i]->scene.label;
+    const bool has_own = label.empty() && !is_common;
+    captions.push_back({has_own ? caption_of(i) : label, !has_own || writes(i)});
+    highest = std::max(highest, caption_lines(captions[i].text, cells[i].width(), place, fonts).height);
+  }
+  const bool are_beside = cells.front().y0 == cells.back().y0;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     FigurePlace cell = place;
     cell.rect = rect_of(cells[i]);
-    const std::string& label = shown[i]->scene.label;
-    const bool has_own = label.empty() && !is_common;
-    PlacedFigure one = place_scene(*shown[i], has_own ? caption_of(i) : label, !has_own || writes(i), t_s,
-                                   cell, fonts, model);
+    if (are_beside) captions[i].least = highest;
+    PlacedFigure one = place_scene(*shown[i], captions[i], t_s, cell, fonts, model);
     append(placed.sheet, std::move(one.sheet), {0, 0});
     placed.plots.insert(placed.plots.end(), one.plots.begin(), one.plots.end());
     const auto at = shown[i] == &model ? placed.insets.begin() : placed.insets.end();

@@ -1,30 +1,20 @@
 // SPDX-License-Identifier: MIT
-// A lesson with all that is to be known before it is shown: that its scenes can be modelled, what of its
-// claims is proved, and of which text it is.
+// A lesson as it is shown, with the file and the text that it is of.
 #pragma once
 
-#include "lessons/reader/reader.h"
-#include "physics/effort.h"
+#include "lessons/reader/lesson.h"
 
 #include <filesystem>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace polhode {
 
-/// A lesson that reads without errors and whose scenes can be modelled.
+/// A lesson that reads without errors and whose scenes can be modelled
+/// (lessons/reader/checks/lesson_check.h).
 struct LoadedLesson {
   Lesson lesson;
   std::filesystem::path path;
   std::string sha256;  ///< of the text
 };
-/// What the reader says of a text, and if it has no error, what the model says of its scenes. In the order of
-/// places. Its claims are proved, which check_claims tells of. Where `effort` throws BudgetSpent the stage,
-/// or the claim, is an error, and nothing behind it is checked.
-LessonReading check_lesson(std::string_view text, std::string_view file_name, const Effort& effort = {});
-
-/// Adds diagnostics to others, all in the order of their places.
-void add_in_order(std::vector<Diagnostic> more, std::vector<Diagnostic>& all);
 
 }  // namespace polhode

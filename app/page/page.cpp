@@ -451,10 +451,6 @@ std::vector<FigureCell> placed_figures(const PageRequest& request, const FittedT
   return cells;
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether a step of the request's stage, from 1, fits its slide in such type.
 Result<bool> fits(const PageRequest& request, int step, const SlideType& type, double least_formula,
                   bool has_to_recall, const Fonts& fonts) {

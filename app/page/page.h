@@ -23,8 +23,8 @@ inline constexpr Size kSmallestPage{320, 240};
 struct FittedText;
 class StillNumbers;
 
-/// A page by itself.
-struct Standing {};
+/// A page by itself: nothing comes in.
+struct StandingStill {};
 /// In a sequence of pages of one stage: the opacity of the text that the step adds. Its room is there from
 /// the start, and what was in focus before keeps the room it had.
 struct FadingIn {
@@ -39,7 +39,7 @@ struct TurningInto {
   double progress = 1;  ///< 0…1 in proportion to time; 1: arrived
 };
 
-using PageEntrance = std::variant<Standing, FadingIn, TurningInto>;
+using PageEntrance = std::variant<StandingStill, FadingIn, TurningInto>;
 
 /// What the slides of a stage have in common.
 struct SlideType {

@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kFullest = 0.97;    ///< of a page: computed numbers may be wider than what stands for them
 constexpr double kCostOfPage = 1.0;  ///< beside that of room left over: of half a page 0.25
-// Of a question that is followed by something on its page: one is worth less than a page, a prediction more.
-constexpr double kCostOfQuestion = 0.35, kCostOfPrediction = 1.3;
+// Of a question that is followed by something on its page: most are worth less than a page. A prediction is
+// worth more than any page can cost, even with two that are left empty by the division.
+constexpr double kCostOfQuestion = 0.35, kCostOfPrediction = 3.0;
 
 double cost_of_questions(const Step& step) {
   double cost = 0.0;

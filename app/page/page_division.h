@@ -7,7 +7,7 @@
 namespace polhode {
 
 /// More pictures on a page would be too small. One with several plots counts as two.
-inline constexpr int kMostFiguresOnPage = 3;
+inline constexpr int kMostFiguresOnPage = 2;
 
 /// The last step of each page, in order. Steps stand whole and in normal type, on few pages that are evenly
 /// filled. A prediction ends its page, so that what becomes of it is not read below; other questions rather

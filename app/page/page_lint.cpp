@@ -111,7 +111,7 @@ class PageLint {
   }
 
   void check(const Stage& stage, int number, int step_number, const Step& step) {
-    models_.push_back(step.scene ? make_model(*step.scene, Product::page, effort_) : SceneModel());
+    models_.push_back(step.scene ? make_model(*step.scene, ModelFor::page, effort_) : SceneModel());
     const SceneModel& model = models_.back();
     if (step.scene != scene_) check_shown(stage, step_number, model);
     scene_ = step.scene;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/page_text.h"
 
+#include "app/narration/short_answers.h"
 #include "app/narration/still_numbers.h"
 #include "app/page/symbol_glossary.h"
 #include "lessons/reader/checks/lint_budget.h"
@@ -427,11 +428,12 @@ class ScaledText {
     }
     const std::size_t from = shown.whole_from;
     for (std::size_t i = from; i <= last_; ++i) add(all, whole(i, from).text);
-    // At the foot symbols in words, and all footnotes.
+    // At the foot symbols in words, footnotes, what is cited, and answers.
     const std::size_t body = all.size();
     if (const ColumnPiece* words = symbols_in_words(all, from)) all.push_back(words);
     for (std::size_t i = from; i <= last_; ++i) add(all, whole(i, from).notes);
     add_references(all);
+    if (const ColumnPiece* answers = answers_of_stage()) all.push_back(answers);
     if (all.size() > body) all.insert(all.begin() + static_cast<std::ptrdiff_t>(body), &footnote_rule_);
     return all;
   }
@@ -544,14 +546,23 @@ class ScaledText {
         names.insert(names.end(), text.list.names.begin(), text.list.names.end());
     const std::string line =
         parts_.glossary->explained(names, {static_cast<std::size_t>(request_.number - 1), whole_from});
-    if (line.empty()) return nullptr;
+    return line.empty() ? nullptr : &small_lines(line);
+  }
+
+  /// Null: they do not stand here.
+  const ColumnPiece* answers_of_stage() {
+    return has_answers(request_) ? &small_lines(short_answers(request_.lesson, request_.stage)) : nullptr;
+  }
+
+  /// Words at the foot.
+  const ColumnPiece& small_lines(const std::string& line) {
     const auto [made, is_new] = in_words_.try_emplace(line);
     if (is_new) {
-      made->second = column_.symbols_in_words(line);
+      made->second = column_.small_words(line);
       made->second.of = &in_words_;
       tell_cost_of(made->second);
     }
-    return &made->second;
+    return made->second;
   }
 
   /// What the pieces of a page to read cite.
@@ -669,29 +680,34 @@ class ScaledText {
       label.word = is_of_what_holds ? row.word : label.in_short;
       // The page shows another motion by now.
       if (claim->kind == ClaimKind::measured && row.certainty == Certainty::stated)
-        label.word = label.in_short = "checked on the motion of its step";
+        label.word = label.in_short = "checked on a motion";
       if (is_of_what_holds) label.note = row.note;
       return label;
     }
     return label;
   }
 
-  /// A slide has no room for rows of numbers, which nobody reads from the back row, nor for what is claimed
-  /// beside a formula: pages have both. That it is not the formula itself the slide says.
+  /// Numbers of both sides are for a window, where they follow the motion: neither from the back row nor on
+  /// paper do they tell what the badge does not. A slide has no room either for what is claimed beside a
+  /// formula; that it is not the formula itself the slide says. On a page to read a counterexample stands if
+  /// it has room on the line of its badge: the figure shows it as well.
   ColumnPiece verdict(const Claim& claim, const Step& step, bool is_present) const {
     const Scene* scene = scene_on_page(step);
     // Numbers of other quantities than the formula's would be taken for those of its sides.
+    const bool is_print = is_slide() || request_.before;
     const bool has_numbers =
-        !is_slide() && is_present && scene && !claim.in_other_words && can_be_shown(claim, *scene);
+        !is_print && is_present && scene && !claim.in_other_words && can_be_shown(claim, *scene);
     VerdictRow row = parts_.verdicts.at(&claim);
-    if (is_slide() && claim.kind == ClaimKind::measured && row.certainty == Certainty::stated)
-      row.note.clear();
+    if (is_print && claim.kind == ClaimKind::measured && row.certainty == Certainty::stated) row.note.clear();
     if (is_slide() && !row.claimed.empty()) {
-      const char* how = claim.origin == Claim::Origin::part ? "in part" : "in other words";
-      row.note = how + (row.note.empty() ? std::string() : ", " + row.note);
+      row.note = std::string(row.claimed_is) + (row.note.empty() ? "" : ", " + row.note);
       row.claimed.clear();
     }
-    return column_.verdict(row, has_numbers);
+    ColumnPiece piece = column_.verdict(row, has_numbers);
+    if (!request_.before || row.example.empty()) return piece;
+    row.example.clear();
+    ColumnPiece brief = column_.verdict(row, has_numbers);
+    return brief.height < piece.height ? brief : piece;
   }
 
   /// Of the present step that of the page, which a hand may have changed; where it is only tried, and of
@@ -804,6 +820,11 @@ Result<std::vector<double>> heights_of_pages(const PageRequest& request, double 
                                              double em, const Fonts& fonts) {
   const TextParts parts = parts_of(request, fonts);
   return ScaledText(request, parts, width, em, 1.0, fonts).heights_back(height);
+}
+
+bool has_answers(const PageRequest& request) {
+  return request.before && request.step == std::ssize(request.stage.steps) &&
+         !short_answers(request.lesson, request.stage).empty();
 }
 
 void scroll_to(FittedText& text, double hidden) {

@@ -40,6 +40,10 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
 Result<std::vector<double>> heights_of_pages(const PageRequest& request, double width, double height,
                                              double em, const Fonts& fonts);
 
+/// Whether the answers to the stage's questions stand at the foot: of a page to read with the last step,
+/// where nobody else tells them.
+bool has_answers(const PageRequest& request);
+
 /// Moves the column of a page that scrolls.
 void scroll_to(FittedText& text, double hidden);
 

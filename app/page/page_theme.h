@@ -17,8 +17,10 @@ enum class Theme { paper, dark };
 
 /// What pages are made for.
 enum class Profile {
-  page,   ///< to be read at arm's length: the steps up to the present one, as much of them as there is room
-          ///< for
+  page,  ///< to be read at arm's length. Exports have all steps of a stage, each whole beside its own figure,
+         ///< on the pages that page_division.h gives them; windows those up to the present one, and scroll. A
+         ///< page of one step alone (`--each step`, `--each stage`) has of those before it what there is room
+         ///< for
   slides  ///< to be projected: the step alone, in large type of one size throughout its stage
 };
 

@@ -4,7 +4,6 @@
 #include "lessons/claims/expressions/vocabulary.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace polhode {
 
@@ -33,10 +32,6 @@ void for_each_formula(const Step& step, const Do& act) {
   }
 }
 
-bool is_before(const StepPlace& a, const StepPlace& b) {
-  return std::tie(a.stage, a.step) < std::tie(b.stage, b.step);
-}
-
 }  // namespace
 
 SymbolGlossary::SymbolGlossary(const Lesson& lesson, const std::vector<MathSymbol>& symbols) {
@@ -63,7 +58,7 @@ std::string SymbolGlossary::explained(const std::vector<std::string>& names, con
   std::vector<std::string> done;
   for (const std::string& name : names) {
     const auto found = entries_.find(name);
-    if (found == entries_.end() || !is_before(found->second.first, from)) continue;
+    if (found == entries_.end() || found->second.first >= from) continue;
     if (std::find(done.begin(), done.end(), name) != done.end()) continue;
     done.push_back(name);
     line += (line.empty() ? "" : "; ") + found->second.words;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/text_column.h"
 
+#include "base/ascii.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "lessons/reader/questions/state_keys.h"
 
@@ -360,7 +361,7 @@ ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
     TextStyle claimed = quiet;
     claimed.size = small_size(kClaimedSize);
     ColumnPiece both{.sheet = {}, .width = piece.width, .gap = piece.gap};
-    add_claimed(row.claimed, claimed, both);
+    add_claimed(row, claimed, both);
     const double top = both.height + std::round(kClaimedGap * em);
     append(both.sheet, std::move(piece.sheet), {0, top});
     both.height = top + piece.height;
@@ -383,11 +384,11 @@ ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
   return piece;
 }
 
-/// "Claimed: …": one formula beside the other, as many in a row as there is room for.
-void TextColumn::add_claimed(const std::vector<std::string>& claimed, const TextStyle& style,
-                             ColumnPiece& piece) const {
+/// "In other words: …": one formula beside the other, as many in a row as there is room for.
+void TextColumn::add_claimed(const VerdictRow& verdict, const TextStyle& style, ColumnPiece& piece) const {
+  const std::vector<std::string>& claimed = verdict.claimed;
   const double gap = std::round(kClaimedGap * style.size);
-  std::string row = "Claimed: ";
+  std::string row = capitalized(verdict.claimed_is) + ": ";
   const auto end_row = [&] {
     TextStyle fitting = style;
     DisplayList list = set_line(row, fitting, fonts_);
@@ -631,7 +632,7 @@ Result<ColumnPiece> TextColumn::footnote(const Footnote& note) const {
   return piece_of(set(text, small), em, 0.3 * em);
 }
 
-ColumnPiece TextColumn::symbols_in_words(const std::string& text) const {
+ColumnPiece TextColumn::small_words(const std::string& text) const {
   const double em = small_size(kFootnoteSize);
   TextStyle small = style(em, colors().quiet, width_);
   small.leading = 1.35;

@@ -109,10 +109,10 @@ class TextColumn {
   /// The same column with footnote `before` + 1 of the stage as its first.
   TextColumn with_notes_after(int before) const;
   /// A text as set_lines has it, small and quiet.
-  ColumnPiece symbols_in_words(const std::string& text) const;
-  /// The short line above all footnotes.
+  ColumnPiece small_words(const std::string& text) const;
   /// A source, with the key that it is cited by.
   Result<ColumnPiece> reference(const Reference& reference) const;
+  /// The short line above all footnotes.
   ColumnPiece footnote_rule() const;
   Result<ColumnPiece> question(const Ask& ask) const;
   /// A formula, and behind it a chip with the word, or below it where there is no room.
@@ -148,7 +148,7 @@ class TextColumn {
   double small_size(double part) const;
   Color color_of(Certainty certainty) const;
   ColumnPiece chip(const std::string& word, Certainty certainty) const;
-  void add_claimed(const std::vector<std::string>& claimed, const TextStyle& style, ColumnPiece& piece) const;
+  void add_claimed(const VerdictRow& verdict, const TextStyle& style, ColumnPiece& piece) const;
 
   double width_, size_;
   Theme theme_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/publish/lesson_deck.h"
 
-#include "app/narration/step_notes.h"
+#include "app/narration/step_transcript.h"
 #include "render/image/png_summary.h"
 
 #include <fmt/format.h>

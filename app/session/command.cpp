@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/command.h"
 
-#include "app/session/figure_interaction.h"
+#include "app/session/camera_moves.h"
 
 #include <algorithm>
 #include <array>

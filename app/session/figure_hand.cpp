@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/figure_hand.h"
 
-#include "app/session/figure_interaction.h"
+#include "app/session/camera_moves.h"
+#include "app/session/omega_drag.h"
 #include "lessons/reader/questions/state_task.h"
 
 #include <algorithm>
@@ -80,7 +81,7 @@ std::string FigureHand::drag(LessonSession& session, const std::vector<Inset>& i
   const auto grabbed =
       omega_at(*session.model(), session.t_s(), inset, pane_, to.x(), to.y(), asks_for_omega_alone(session));
   if (!grabbed) return {};
-  off_ += grabbed->slip;
+  off_ += grabbed->offset;
   SceneEdits edits = session.edits();
   edits.w0_B = grabbed->w0_B;
   if (grabbed->attitude) edits.attitude = grabbed->attitude;

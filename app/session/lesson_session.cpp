@@ -62,16 +62,16 @@ LessonSession::LessonSession(std::shared_ptr<const LoadedLesson> loaded, Effort 
 
 LessonSession::~LessonSession() = default;
 
-std::optional<Place> LessonSession::next_place() const {
-  if (place_.step + 1 < stage().steps.size()) return Place{place_.stage, place_.step + 1};
+std::optional<StepPlace> LessonSession::next_place() const {
+  if (place_.step + 1 < stage().steps.size()) return StepPlace{place_.stage, place_.step + 1};
   const auto next = stage_beside(1);
-  return next ? std::optional(Place{*next, 0}) : std::nullopt;
+  return next ? std::optional(StepPlace{*next, 0}) : std::nullopt;
 }
 
-std::optional<Place> LessonSession::previous_place() const {
-  if (place_.step > 0) return Place{place_.stage, place_.step - 1};
+std::optional<StepPlace> LessonSession::previous_place() const {
+  if (place_.step > 0) return StepPlace{place_.stage, place_.step - 1};
   const auto before = stage_beside(-1);
-  return before ? std::optional(Place{*before, lesson().stages[*before].steps.size() - 1}) : std::nullopt;
+  return before ? std::optional(StepPlace{*before, lesson().stages[*before].steps.size() - 1}) : std::nullopt;
 }
 
 bool LessonSession::next_step() {
@@ -98,19 +98,19 @@ bool LessonSession::previous_stage() {
   return to.has_value();
 }
 
-void LessonSession::go_to(Place place) {
+void LessonSession::go_to(StepPlace place) {
   place.stage = std::min(place.stage, lesson().stages.size() - 1);
   place.step = std::min(place.step, lesson().stages[place.stage].steps.size() - 1);
   if (place != place_) arrive(place);
 }
 
-void LessonSession::begin_at(Place place) {
+void LessonSession::begin_at(StepPlace place) {
   const std::string left = stage().id;
   go_to(place);
   if (!visited_before_.contains(left) && stage().id != left) visited_.erase(left);
 }
 
-void LessonSession::arrive(Place place) {
+void LessonSession::arrive(StepPlace place) {
   const bool same_stage = place.stage == place_.stage;
   const std::shared_ptr<const Scene> left = step().scene;
   keep_edits();
@@ -214,7 +214,7 @@ Scene LessonSession::scene_with(const SceneEdits& edits) const {
 }
 
 void LessonSession::make_model_of(const SceneEdits& edits) {
-  model_ = std::make_unique<SceneModel>(make_model(scene_with(edits), Product::page, effort_));
+  model_ = std::make_unique<SceneModel>(make_model(scene_with(edits), ModelFor::page, effort_));
   edits_ = edits;
   ++model_number_;
 }

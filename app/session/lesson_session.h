@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is going on while a student walks through a lesson: the place, the time, what was changed of the
 // scene, what was answered. No window, no files, no clock of its own: a window shows it and tells it what was
-// done; a test does the same.
+// done; a test does the same. The bodies of its members: lesson_session.cpp, of those before an audience
+// presenting.cpp, of those of a counterexample shown_counterexample.cpp.
 #pragma once
 
 #include "app/page/loaded_lesson.h"
@@ -22,12 +23,6 @@
 #include <vector>
 
 namespace polhode {
-
-/// A step of a lesson; both count from 0.
-struct Place {
-  std::size_t stage = 0, step = 0;
-  auto operator<=>(const Place&) const = default;
-};
 
 /// What stands beside the page; at most one at a time.
 enum class Panel { none, outline, body, method, show, question, save, settings, help };
@@ -66,11 +61,11 @@ class LessonSession {
   const LoadedLesson& loaded() const { return *loaded_; }
   const std::shared_ptr<const LoadedLesson>& loaded_pointer() const { return loaded_; }
   const Lesson& lesson() const { return loaded_->lesson; }
-  Place place() const { return place_; }
+  StepPlace place() const { return place_; }
   const Stage& stage() const { return lesson().stages[place_.stage]; }
   const Step& step() const { return stage().steps[place_.step]; }
-  std::optional<Place> next_place() const;      ///< nothing at the end
-  std::optional<Place> previous_place() const;  ///< nothing at the beginning
+  std::optional<StepPlace> next_place() const;      ///< nothing at the end
+  std::optional<StepPlace> previous_place() const;  ///< nothing at the beginning
   /// Each returns false, and changes nothing, where there is no such place. Steps run on from stage to stage:
   /// before the first step of a stage comes the last one of the stage before. The two for stages go to first
   /// steps; previous_stage goes to the beginning of the present stage, unless that is where we are. Before an
@@ -87,10 +82,10 @@ class LessonSession {
   /// everything goes on as it is if the scene is the same. If it is another, edits do not go along, except a
   /// camera that was turned by hand and that the lesson does not turn; time goes on if the motion is the
   /// same. What was changed of a scene is there again when one comes back to it.
-  void go_to(Place place);
+  void go_to(StepPlace place);
   /// The same before anything is shown: where it leaves was not seen, unless it is among those of
   /// set_visited.
-  void begin_at(Place place);
+  void begin_at(StepPlace place);
   /// Ids of stages that were seen, among those of the lesson.
   const std::set<std::string>& visited() const { return visited_; }
   void set_visited(const std::set<std::string>& stages);
@@ -246,7 +241,7 @@ class LessonSession {
   bool is_moving() const;
 
  private:
-  void arrive(Place place);
+  void arrive(StepPlace place);
   void leave_answered();
   void show_lesson_scene();
   Scene scene_with(const SceneEdits& edits) const;
@@ -262,7 +257,7 @@ class LessonSession {
 
   std::shared_ptr<const LoadedLesson> loaded_;
   Effort effort_;
-  Place place_{};
+  StepPlace place_{};
   std::set<std::string> visited_;
   std::set<std::string> visited_before_;  ///< as it was set
   double t_s_ = 0, speed_ = 1, transition_ = 1;

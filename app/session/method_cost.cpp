@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/method_cost.h"
 
-#include "app/session/lesson_session.h"
 #include "physics/analysis/characteristic_time.h"
 
 #include <fmt/format.h>
@@ -95,19 +94,6 @@ bool FrontMeasurement::is_ready() const {
 const std::vector<ParetoStep>& FrontMeasurement::steps() {
   if (future_.valid() && is_ready()) steps_ = future_.get();
   return steps_;
-}
-
-RequirementWords requirement_words(const SceneModel& model) {
-  RequirementWords words;
-  for (const RequirementFacts& facts : requirement_facts())
-    (model.needs.*facts.part ? words.computed : words.left_out).emplace_back(facts.words);
-  return words;
-}
-
-std::string why_method(const LessonSession& session) {
-  const std::optional<MotionSpec>& chosen = session.edits().motion;
-  const bool is_own = chosen && chosen->method && chosen->method != session.lesson_scene().motion.method;
-  return is_own ? "chosen here, in place of the lesson's" : session.model()->why;
 }
 
 }  // namespace polhode

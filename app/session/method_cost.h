@@ -5,12 +5,9 @@
 
 #include "physics/analysis/work_precision.h"
 #include "physics/method.h"
-#include "render/scene/model/model.h"
 
 #include <atomic>
 #include <future>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,17 +40,5 @@ class FrontMeasurement {
   std::future<std::vector<ParetoStep>> future_;
   std::vector<ParetoStep> steps_;
 };
-
-/// What the model's scene requires, in words ("ω(t)", "attitude", "polhode"), and what is therefore not
-/// computed.
-struct RequirementWords {
-  std::vector<std::string> computed, left_out;
-};
-RequirementWords requirement_words(const SceneModel& model);
-
-class LessonSession;
-/// Why the motion that is shown is computed by its method: what the scene's model says of it, unless the
-/// method was chosen here instead of the lesson's. Precondition: there is a scene.
-std::string why_method(const LessonSession& session);
 
 }  // namespace polhode

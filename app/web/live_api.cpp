@@ -99,7 +99,7 @@ EMSCRIPTEN_KEEPALIVE int polhode_height_for(int width) {
 }
 EMSCRIPTEN_KEEPALIVE int polhode_draw(int width, int height, int what, double resolution) {
   return changed([&] {
-    const auto picture = what == POLHODE_PAGE ? LiveFigure::Picture::page : LiveFigure::Picture::figure;
+    const auto picture = what == POLHODE_SLIDE ? LiveFigure::Picture::slide : LiveFigure::Picture::figure;
     return module().figure.draw({width, height}, picture, resolution);
   });
 }

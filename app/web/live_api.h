@@ -41,7 +41,7 @@ void polhode_detach(void);
 
 enum {
   POLHODE_FIGURE = 0,  ///< figure and plots fill the canvas, without a caption, as on a reader's page
-  POLHODE_PAGE = 1,    ///< the page as in the window and on a deck: text, equations and figure. No page shows
+  POLHODE_SLIDE = 1,   ///< the page as in the window and on a deck: text, equations and figure. No page shows
                        ///< it yet: its claims are only read here, and stand there as not proved
 };
 /// The height of a picture of this width, px: as high as its plots need. 0 without a scene.
@@ -112,15 +112,16 @@ const char* polhode_message(void);
 ///   "terms": {"inertial": [3], "gyroscopic": [3], "torque": [3]} (I·ω̇ + ω×(I·ω) = N, body axes; N m),
 ///   "omega0": [3], "attitude0": [w, x, y, z] (at t = 0, as a hand has left it; null: as the lesson has it),
 ///   "moments": [3], "body", "torque_free",
-///   "camera": {"azimuth", "elevation", "zoom"}, "in_space" (there is something to turn; false: diagrams
-///   alone), "following", "stage" (from 1), "stage_id", "step" (from 1), "changed" (something is not the
-///   lesson's), "can_undo", "playing", "speed", "rate" (simulated seconds a shown one), "from", "to" (the
-///   time line's), "duration", "still" (the t of a still), "period" (of the polhode, null: none), "flips":
-///   [t…], "method": {"name", "step", "tolerance", "control": "none"|"fixed"|"adaptive", "why",
-///   "usual_step"}, "error": {"omega", "attitude"} (of the method against the closed form at t; null: there
-///   is none, or it is), "drift": {"T", "L", "L_direction"} (since the start), "vary": [{"number", "from",
-///   "to", "value", "unit", "tex"}], "overlays": [{"name", "shown", "words"}], "tips": [{"x", "y"}] (of omega
-///   in the last picture), "message" }
+///   "camera": {"azimuth", "elevation", "zoom"},
+///   "in_space" (there is something to turn; false: diagrams alone), "following",
+///   "stage" (from 1), "stage_id", "step" (from 1), "changed" (something is not the lesson's), "can_undo",
+///   "playing", "speed", "rate" (simulated seconds a shown one), "from", "to" (the time line's),
+///   "duration", "still" (the t of a still), "period" (of the polhode, null: none), "flips": [t…],
+///   "method": {"name", "step", "tolerance", "control": "none"|"fixed"|"adaptive", "why", "usual_step"},
+///   "error": {"omega", "attitude"} (of the method against the closed form at t; null: there is none, or it
+///   is), "drift": {"T", "L", "L_direction"} (since the start), "vary": [{"number", "from", "to", "value",
+///   "label", "unit", "tex"}], "overlays": [{"name", "shown", "words", "unseen" (why nothing of it would be
+///   seen here; empty: it would)}], "tips": [{"x", "y"}] (of omega in the last picture), "message" }
 /// Without a scene null.
 const char* polhode_state(void);
 /// { "bodies": [{"name", "moments": [3]}], "methods": [{"name", "words", "keeps", "control", "why_not"}] }

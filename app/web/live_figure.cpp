@@ -4,8 +4,8 @@
 #include "app/narration/alt_text.h"
 #include "app/page/live_numbers.h"
 #include "app/page/page.h"
+#include "app/session/camera_moves.h"
 #include "app/session/command.h"
-#include "app/session/figure_interaction.h"
 #include "base/numbers.h"
 #include "lessons/reader/reader.h"
 #include "physics/method.h"
@@ -80,7 +80,7 @@ Status LiveFigure::read_whole() {
   const std::string file = loaded_->path.string();
   const auto loaded = loaded_of(read_lesson(loaded_->lesson.source, file), file);
   if (!loaded) return failure(loaded.error());
-  const Place place = session_->place();
+  const StepPlace place = session_->place();
   const SceneEdits edits = session_->edits();
   const double t_s = session_->t_s();
   if (Status taken = take(*loaded); !taken) return taken;
@@ -190,7 +190,7 @@ Status LiveFigure::lay_out(Size size, Picture what, double resolution) {
   if (size.width < 1 || size.height < 1) return failure("A picture has pixels.");
   if (!(resolution > 0) || resolution > 1)
     return failure("A part of the pixels is meant, above 0 and up to 1.");
-  if (what == Picture::page)
+  if (what == Picture::slide)
     if (Status whole = read_whole(); !whole) return whole;
   const Key key{
       session_->place(),  session_->model_number(), lesson_number_,  size,  what, resolution, session_->t_s(),
@@ -238,8 +238,8 @@ Result<Page> LiveFigure::compose(const Key& key) {
                       .t_s = key.t_s,
                       .size = key.size,
                       .theme = key.theme,
-                      .profile = key.what == Picture::page ? Profile::slides : Profile::page,
-                      .runs = key.what == Picture::page};
+                      .profile = key.what == Picture::slide ? Profile::slides : Profile::page,
+                      .runs = key.what == Picture::slide};
   if (key.what == Picture::figure) {
     Page page = compose_picture(request, **type);
     for (Inset& inset : page.insets) {

@@ -24,7 +24,7 @@ namespace polhode {
 
 class LiveFigure {
  public:
-  enum class Picture { figure, page };
+  enum class Picture { figure, slide };
 
   LiveFigure();
   LiveFigure(const LiveFigure&) = delete;
@@ -47,7 +47,6 @@ class LiveFigure {
   Status attach(std::unique_ptr<GlContext> context);
   /// Of a context that is lost or gone nothing is asked any more.
   void detach();
-  bool is_attached() const { return drawing_ != nullptr; }
 
   /// 0 without a scene.
   int height_for(int width) const;
@@ -107,7 +106,7 @@ class LiveFigure {
   };
   /// What a picture depends on.
   struct Key {
-    Place place;
+    StepPlace place;
     unsigned model_number = 0, lesson_number = 0;
     Size size;
     Picture what = Picture::figure;

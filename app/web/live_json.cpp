@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/web/live_json.h"
 
-#include "app/session/figure_interaction.h"
+#include "app/session/omega_drag.h"
 #include "base/angles.h"
 #include "lessons/reader/scene/varied_scene.h"
 #include "physics/analysis/characteristic_time.h"

@@ -232,7 +232,7 @@ class Loop {
   FrameLog frame_log_;
   std::unique_ptr<SpeakerWindow> speaker_;
   Voice voice_;
-  std::optional<Place> read_;  ///< what is read aloud
+  std::optional<StepPlace> read_;  ///< what is read aloud
   std::string title_, lesson_errors_;
   bool presenting_ = false, was_full_ = false;  ///< before it presented
   bool has_speaker_ = false;                    ///< when it was looked at last

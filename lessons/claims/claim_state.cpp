@@ -18,7 +18,7 @@ std::optional<std::size_t> place_among_three(Quantity quantity, Quantity first) 
 
 /// All but the rates of N, F, and what follows from these.
 template <class N>
-ClaimState<N> first_order_state(const StateNumbers<N>& n, Assumption assumption) {
+ClaimState<N> first_order_state(const StateNumbers<N>& n, LawsAssumed laws) {
   ClaimState<N> state{};
   state.I = n.I;
   state.J = n.J;
@@ -26,8 +26,8 @@ ClaimState<N> first_order_state(const StateNumbers<N>& n, Assumption assumption)
   state.h = n.h;
   state.k = n.k;
   state.constants = n.constants;
-  const bool moves_freely = assumption == Assumption::identity;
-  const std::array<N, 3> torque = assumption == Assumption::free ? std::array<N, 3>{} : n.N_B;
+  const bool moves_freely = laws == LawsAssumed::identity;
+  const std::array<N, 3> torque = laws == LawsAssumed::free ? std::array<N, 3>{} : n.N_B;
   const std::array<N, 3> dw = moves_freely ? n.dw : euler_rate(n.I, n.w, torque);
   const N reciprocal = moves_freely ? N(0) : inverse(n.m);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -47,14 +47,14 @@ bool add_given_rate(ClaimState<N>& state, const Setting& setting) {
   const auto component = place_among_three(setting.quantity, Quantity::N1);
   if (!component && setting.quantity != Quantity::N && setting.quantity != Quantity::F) return true;
   Evaluation<N, 1> evaluate(state);
-  Triple<N, 1> value;
+  ComponentJets<N, 1> value;
   if (!evaluate(setting.value, value)) return false;
   if (component) {
     state.N_B[*component].rate = value[0].rate;
     return true;
   }
   if (setting.quantity == Quantity::N) value = evaluate.to_body(value);
-  Triple<N>& vector = setting.quantity == Quantity::N ? state.N_B : state.F_S;
+  ComponentJets<N>& vector = setting.quantity == Quantity::N ? state.N_B : state.F_S;
   for (std::size_t i = 0; i < 3; ++i) vector[i].rate = value[i].rate;
   return true;
 }
@@ -62,20 +62,20 @@ bool add_given_rate(ClaimState<N>& state, const Setting& setting) {
 }  // namespace
 
 template <class N>
-std::optional<ClaimState<N>> state_of(StateNumbers<N> n, Assumption assumption, const Given& given) {
+std::optional<ClaimState<N>> state_of(StateNumbers<N> n, LawsAssumed laws, const Given& given) {
   if (!given.settings.empty()) {
     auto replaced = with_given(std::move(n), given);
     if (!replaced) return std::nullopt;
     n = std::move(*replaced);
   }
-  ClaimState<N> state = first_order_state(n, assumption);
+  ClaimState<N> state = first_order_state(n, laws);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (assumption != Assumption::free) state.N_B[i].rate = n.dN_B[i];
+    if (laws != LawsAssumed::free) state.N_B[i].rate = n.dN_B[i];
     state.F_S[i].rate = n.dF_S[i];
   }
   for (const Setting& setting : given.settings)
     if (!add_given_rate(state, setting)) return std::nullopt;
-  if (assumption == Assumption::identity) {
+  if (laws == LawsAssumed::identity) {
     for (std::size_t i = 0; i < 3; ++i) {
       state.w_B[i].second = n.ddw[i];
       state.v_S[i].second = n.ddv_S[i];
@@ -101,9 +101,9 @@ std::optional<ClaimState<N>> state_of(StateNumbers<N> n, Assumption assumption, 
 template <class N>
 std::optional<StateNumbers<N>> with_given(StateNumbers<N> n, const Given& given) {
   for (const Setting& setting : given.settings) {
-    const ClaimState<N> so_far = first_order_state(n, Assumption::identity);
+    const ClaimState<N> so_far = first_order_state(n, LawsAssumed::identity);
     Evaluation<N, 0> evaluate(so_far);
-    Triple<N, 0> value;
+    ComponentJets<N, 0> value;
     if (!evaluate(setting.value, value)) return std::nullopt;
     if (const auto moment = place_among_three(setting.quantity, Quantity::I1)) {
       if (value[0].value.is_zero()) return std::nullopt;
@@ -123,8 +123,8 @@ std::optional<StateNumbers<N>> with_given(StateNumbers<N> n, const Given& given)
 }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type in a template's arguments has none
-#define POLHODE_STATES_OF(N)                                                                 \
-  template std::optional<ClaimState<N>> state_of(StateNumbers<N>, Assumption, const Given&); \
+#define POLHODE_STATES_OF(N)                                                                  \
+  template std::optional<ClaimState<N>> state_of(StateNumbers<N>, LawsAssumed, const Given&); \
   template std::optional<StateNumbers<N>> with_given(StateNumbers<N>, const Given&);
 POLHODE_STATES_OF(FieldElement)
 POLHODE_STATES_OF(WideFieldElement)
@@ -172,12 +172,12 @@ namespace {
 
 /// Of several expressions, in their order; by jets of this order.
 template <class N, int Order, std::size_t Count>
-std::optional<std::array<Triple<N, 0>, Count>> values_by_jets(
+std::optional<std::array<ComponentJets<N, 0>, Count>> values_by_jets(
     const ClaimState<N>& state, const std::array<const Expression*, Count>& expressions) {
   Evaluation<N, Order> evaluate(state);
-  std::array<Triple<N, 0>, Count> values;
+  std::array<ComponentJets<N, 0>, Count> values;
   for (std::size_t i = 0; i < Count; ++i) {
-    Triple<N, Order> value;
+    ComponentJets<N, Order> value;
     if (!evaluate(*expressions[i], value)) return std::nullopt;
     values[i] = {Jet<N, 0>(value[0]), Jet<N, 0>(value[1]), Jet<N, 0>(value[2])};
   }
@@ -185,7 +185,7 @@ std::optional<std::array<Triple<N, 0>, Count>> values_by_jets(
 }
 
 template <class N, std::size_t Count>
-std::optional<std::array<Triple<N, 0>, Count>> values_in(
+std::optional<std::array<ComponentJets<N, 0>, Count>> values_in(
     const ClaimState<N>& state, const std::array<const Expression*, Count>& expressions) {
   int order = 0;
   for (const Expression* expression : expressions) order = std::max(order, expression->order());
@@ -196,7 +196,7 @@ std::optional<std::array<Triple<N, 0>, Count>> values_in(
 }  // namespace
 
 template <class N>
-std::optional<Triple<N, 0>> value_in(const ClaimState<N>& state, const Expression& expression) {
+std::optional<ComponentJets<N, 0>> value_in(const ClaimState<N>& state, const Expression& expression) {
   const auto values = values_in(state, std::array{&expression});
   return values ? std::optional(values->front()) : std::nullopt;
 }
@@ -211,7 +211,7 @@ std::optional<bool> agree(const Equality& equality, const ClaimState<N>& state) 
 }
 
 #define POLHODE_VALUES_OF(N) \
-  template std::optional<Triple<N, 0>> value_in(const ClaimState<N>&, const Expression&);
+  template std::optional<ComponentJets<N, 0>> value_in(const ClaimState<N>&, const Expression&);
 POLHODE_VALUES_OF(FieldElement)
 POLHODE_VALUES_OF(WideFieldElement)
 POLHODE_VALUES_OF(SizedNumber)
@@ -223,7 +223,8 @@ POLHODE_VALUES_OF(PowerSeries<Ratio>)
 template std::optional<bool> agree(const Equality&, const ClaimState<FieldElement>&);
 template std::optional<bool> agree(const Equality&, const ClaimState<WideFieldElement>&);
 
-double relative_residual(const Triple<SizedNumber, 0>& left, const Triple<SizedNumber, 0>& right) {
+double relative_residual(const ComponentJets<SizedNumber, 0>& left,
+                         const ComponentJets<SizedNumber, 0>& right) {
   double difference = 0, size_of_left = 0, size_of_right = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     difference = std::hypot(difference, left[i].value.value - right[i].value.value);

@@ -11,7 +11,7 @@ namespace polhode {
 
 /// What a state obeys. identity: nothing, ω̇, N, v̇, F and their rates vary freely. motion: Euler's equations
 /// with any N and any rate of it, and m v̇ = F. free: the same with N = 0 all the time.
-enum class Assumption { identity, motion, free };
+enum class LawsAssumed { identity, motion, free };
 
 /// The numbers that a state is made of, on the body axes unless the name says otherwise.
 template <class N>
@@ -28,15 +28,15 @@ struct StateNumbers {
 
 /// Takes body components to space components: R(q) = homogeneous / |q|², with its rate.
 template <class N>
-std::array<Triple<N>, 3> attitude_matrix(const std::array<Jet<N>, 4>& q) {
+std::array<ComponentJets<N>, 3> attitude_matrix(const std::array<Jet<N>, 4>& q) {
   const auto& [w, x, y, z] = q;
   const Jet<N> scale = inverse(w * w + x * x + y * y + z * z);
   const auto twice = [](const Jet<N>& a) { return a + a; };
-  const std::array<Triple<N>, 3> homogeneous{
+  const std::array<ComponentJets<N>, 3> homogeneous{
       {{w * w + x * x - y * y - z * z, twice(x * y - w * z), twice(x * z + w * y)},
        {twice(x * y + w * z), w * w - x * x + y * y - z * z, twice(y * z - w * x)},
        {twice(x * z - w * y), twice(y * z + w * x), w * w - x * x - y * y + z * z}}};
-  std::array<Triple<N>, 3> R;
+  std::array<ComponentJets<N>, 3> R;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) R[i][k] = scale * homogeneous[i][k];
   return R;
@@ -67,16 +67,16 @@ std::array<N, 3> euler_rate(const std::array<N, 3>& I, const std::array<N, 3>& w
           inverse(I[2]) * (torque_B[2] - w[0] * w[1] * (I[1] - I[0]))};
 }
 
-/// The state of these numbers under an assumption, which overrules the rates of ω and v, and what is given,
+/// The state of these numbers under these laws, which overrule the rates of ω and v, and what is given,
 /// which overrules what it sets; of N and F also the rates. Nothing where what is given is not defined, or a
 /// moment would be 0. Precondition: q, I and m are not zero.
 template <class N>
-std::optional<ClaimState<N>> state_of(StateNumbers<N> n, Assumption assumption, const Given& given);
+std::optional<ClaimState<N>> state_of(StateNumbers<N> n, LawsAssumed laws, const Given& given);
 
 /// The same where nothing is given: there is always one.
 template <class N>
-ClaimState<N> state_of(const StateNumbers<N>& n, Assumption assumption) {
-  return *state_of(n, assumption, Given());
+ClaimState<N> state_of(const StateNumbers<N>& n, LawsAssumed laws) {
+  return *state_of(n, laws, Given());
 }
 
 /// The numbers with those replaced that are given, one after the other; rates are not. Nothing where one of
@@ -97,7 +97,7 @@ bool holds_in(const Given& given, const ClaimState<SizedNumber>& state, double t
 
 /// The value in a state, by jets of the expression's order; nothing where it is not defined.
 template <class N>
-std::optional<Triple<N, 0>> value_in(const ClaimState<N>& state, const Expression& expression);
+std::optional<ComponentJets<N, 0>> value_in(const ClaimState<N>& state, const Expression& expression);
 
 /// Whether both sides are equal in a state; nothing where one of them is not defined.
 template <class N>
@@ -105,12 +105,13 @@ std::optional<bool> agree(const Equality& equality, const ClaimState<N>& state);
 
 /// |left − right| relative to the larger of the two sides' sizes: of terms that cancel, the rounding error.
 /// 0 if there is nothing but zeros; not finite where an operand is not.
-double relative_residual(const Triple<SizedNumber, 0>& left, const Triple<SizedNumber, 0>& right);
+double relative_residual(const ComponentJets<SizedNumber, 0>& left,
+                         const ComponentJets<SizedNumber, 0>& right);
 
 /// Both sides in doubles.
 struct Sides {
-  Triple<SizedNumber, 0> left, right;  ///< components in space
-  double residual = 0;                 ///< relative_residual
+  ComponentJets<SizedNumber, 0> left, right;  ///< components in space
+  double residual = 0;                        ///< relative_residual
 };
 /// Nothing where one of them is not defined, or not finite.
 std::optional<Sides> sides_of(const Equality& equality, const ClaimState<SizedNumber>& state);

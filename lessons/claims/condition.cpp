@@ -107,7 +107,7 @@ std::optional<Expression> expression_from(const std::string& text,
 
 }  // namespace
 
-Result<std::vector<Setting>> settings_of_condition(const Equality& premise, Assumption assumption,
+Result<std::vector<Setting>> settings_of_condition(const Equality& premise, LawsAssumed laws,
                                                    const Given& given) {
   const auto refuse = [](std::string why) {
     return Failure{"this condition cannot be solved: " + std::move(why)};
@@ -118,7 +118,7 @@ Result<std::vector<Setting>> settings_of_condition(const Equality& premise, Assu
   const auto constants = names_of_constants(premise, given);
   try {
     start_algebra();
-    const auto state = state_of(symbolic_numbers(false), assumption, given);
+    const auto state = state_of(symbolic_numbers(false), laws, given);
     const Equality squared = with_lengths_squared(premise);
     const auto left = state ? value_in(*state, squared.left) : std::nullopt;
     const auto right = state ? value_in(*state, squared.right) : std::nullopt;

@@ -17,7 +17,7 @@ namespace polhode {
 /// for a moment that occurs in it once, times moments and numbers only: for such a factor is never 0. So no
 /// state in which the premise holds is lost, as w1 = 0 would lose from w1*w2 = 0. Refused, with the reason,
 /// is what cannot be solved so.
-Result<std::vector<Setting>> settings_of_condition(const Equality& premise, Assumption assumption,
+Result<std::vector<Setting>> settings_of_condition(const Equality& premise, LawsAssumed laws,
                                                    const Given& given);
 
 }  // namespace polhode

@@ -8,8 +8,8 @@
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
 #include "physics/method.h"
-#include "render/scene/model/arrow.h"
 #include "render/scene/model/translation.h"
+#include "render/scene/model/transport_arrow.h"
 
 #include <algorithm>
 #include <array>
@@ -47,8 +47,9 @@ Vec3 part(const Moving& all, int index) { return all.segment<3>(3 * index); }
 
 /// Components have the size of the whole vector, and their rates at least that which `rate` would give: what
 /// is small by chance is no better known.
-Triple<SizedNumber> sized(const Vec3& x, double size, double rate, const Vec3& first, const Vec3& second) {
-  Triple<SizedNumber> result;
+ComponentJets<SizedNumber> sized(const Vec3& x, double size, double rate, const Vec3& first,
+                                 const Vec3& second) {
+  ComponentJets<SizedNumber> result;
   for (int i = 0; i < 3; ++i)
     result[static_cast<std::size_t>(i)] = {{x[i], size},
                                            {first[i], std::max(rate * size, std::abs(first[i]))},
@@ -56,7 +57,9 @@ Triple<SizedNumber> sized(const Vec3& x, double size, double rate, const Vec3& f
   return result;
 }
 
-Triple<SizedNumber> at_rest(const Vec3& x) { return sized(x, x.norm(), 0, Vec3::Zero(), Vec3::Zero()); }
+ComponentJets<SizedNumber> at_rest(const Vec3& x) {
+  return sized(x, x.norm(), 0, Vec3::Zero(), Vec3::Zero());
+}
 
 Mat3 on_turned_axes(const PrincipalMoments& I) {
   static const Mat3 kTurn = Eigen::AngleAxisd(kTurnOfAxes, Vec3::Ones().normalized()).toRotationMatrix();
@@ -96,11 +99,11 @@ double tolerance_of(const Equality& equality, std::optional<double> within, cons
   return within.value_or(is_second ? live.growth_of_second * allowed : allowed);
 }
 
-double size_of(const Triple<SizedNumber, 0>& x) {
+double size_of(const ComponentJets<SizedNumber, 0>& x) {
   return std::hypot(x[0].value.size, x[1].value.size, x[2].value.size);
 }
 
-std::array<double, 3> values_of(const Triple<SizedNumber, 0>& x) {
+std::array<double, 3> values_of(const ComponentJets<SizedNumber, 0>& x) {
   return {x[0].value.value, x[1].value.value, x[2].value.value};
 }
 
@@ -144,7 +147,8 @@ bool holds_at_start(const Given& given, const Scene& scene) {
   return holds_in(given, s, rounding_at(0, 1)) && are_small_in(given.small, s);
 }
 
-Triple<SizedNumber, 0> in_body(const Triple<SizedNumber, 0>& x_S, const ClaimState<SizedNumber>& state) {
+ComponentJets<SizedNumber, 0> in_body(const ComponentJets<SizedNumber, 0>& x_S,
+                                      const ClaimState<SizedNumber>& state) {
   return Evaluation<SizedNumber, 0>(state).to_body(x_S);
 }
 
@@ -186,7 +190,7 @@ bool has_rates(const Expression& expression) {
   return std::any_of(expression.nodes.begin(), expression.nodes.end(), is_rate);
 }
 
-bool slips(const Scene& scene) {
+bool loses_energy_inside(const Scene& scene) {
   return std::any_of(scene.torque.begin(), scene.torque.end(),
                      [](const TorqueTerm& term) { return std::holds_alternative<EnergySink>(term); });
 }
@@ -248,7 +252,7 @@ std::optional<double> live_number(const Expression& scalar, const LiveState& liv
 std::optional<LiveQuantity> live_quantity(const Expression& expression, const LiveState& live, View view) {
   const auto has_value = value_in(live.state, expression);
   if (!has_value) return std::nullopt;
-  Triple<SizedNumber, 0> value = *has_value;
+  ComponentJets<SizedNumber, 0> value = *has_value;
   LiveQuantity quantity{.is_vector = expression.type() == ExpressionType::vector};
   if (quantity.is_vector && view == View::body) value = in_body(value, live.state);
   const double size = quantity.is_vector ? size_of(value) : value[0].value.size;
@@ -269,7 +273,7 @@ bool can_be_shown(const Claim& claim, const Scene& scene) {
   if (!claim.given.empty() && !holds_at_start(claim.given, scene)) return false;
   if (claim.kind == ClaimKind::measured) return true;
   using Q = Quantity;
-  const bool has_no_rates = slips(scene);
+  const bool has_no_rates = loses_energy_inside(scene);
   return std::all_of(claim.lines.begin(), claim.lines.end(), [&](const ClaimLine& line) {
     const auto uses = [&](auto what) {
       return line.equality.left.uses(what) || line.equality.right.uses(what);
@@ -299,7 +303,7 @@ ClaimState<SizedNumber> with_lawful_rates(ClaimState<SizedNumber> s, const Scene
   const Vec3 dw_B = angular_acceleration_B(I, state.w_B, torque);
   const Mat3 R = state.q_SB.toRotationMatrix();
   const Translation translation = translation_at(model.scene, t_s);
-  const auto set = [](Triple<SizedNumber>& x, const Vec3& rate, const Vec3& second) {
+  const auto set = [](ComponentJets<SizedNumber>& x, const Vec3& rate, const Vec3& second) {
     for (int i = 0; i < 3; ++i) {
       Jet<SizedNumber>& old = x[static_cast<std::size_t>(i)];
       old.rate = {rate[i], std::max(old.rate.size, std::abs(rate[i]))};
@@ -398,9 +402,9 @@ std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<
   }
   // Sides that are lost in rounding all the time have to be 0 for a reason.
   const bool is_free = model.scene.torque.empty() && !given.sets_torque();
-  const Assumption assumption = is_free ? Assumption::free : Assumption::motion;
+  const LawsAssumed laws = is_free ? LawsAssumed::free : LawsAssumed::motion;
   const bool is_proved =
-      side == 0 && is_provable(equality) && Prover().settle(equality, assumption, given) == Verdict::holds;
+      side == 0 && is_provable(equality) && Prover().settle(equality, laws, given) == Verdict::holds;
   worst.side = side == 0 && !is_proved ? kRounding : side;
   if (has_rest && side > 0) worst.side = std::min(worst.side, rest);
   worst.allowed = allowed;

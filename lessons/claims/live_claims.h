@@ -38,7 +38,7 @@ std::optional<LiveState> still_state(const SceneModel& model, double t_s, const 
 /// Whether an expression speaks of rates.
 bool has_rates(const Expression& expression);
 /// Whether an energy sink lets the body slip, so that rates are not those of what is drawn.
-bool slips(const Scene& scene);
+bool loses_energy_inside(const Scene& scene);
 
 /// Both sides of a claim on a motion: of that line whose residual is the largest beside its tolerance.
 struct LiveValue {

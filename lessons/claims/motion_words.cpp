@@ -135,10 +135,6 @@ bool has_spin(const Expression& expression) {
   return false;
 }
 
-}  // namespace
-
-namespace {
-
 /// How a number counts turns: by which power of π it is more than one that counts radians. 0 of ω and of
 /// 2π/period, −1 of ω/2π and of 1/period, which are turns per second.
 struct Turns {

@@ -37,14 +37,14 @@ class CloserLook {
   }
 
  private:
-  Assumption assumption() const {
-    if (question_.modulo == "free") return Assumption::free;
-    return question_.modulo == "motion" ? Assumption::motion : Assumption::identity;
+  LawsAssumed laws() const {
+    if (question_.modulo == "free") return LawsAssumed::free;
+    return question_.modulo == "motion" ? LawsAssumed::motion : LawsAssumed::identity;
   }
 
   bool holds(const Equality& equality) const {
     tried_ += equality.left.nodes.size() + equality.right.nodes.size();
-    return tried_ < kMostTried && prover_.settle(equality, assumption(), question_.given) == Verdict::holds;
+    return tried_ < kMostTried && prover_.settle(equality, laws(), question_.given) == Verdict::holds;
   }
 
   /// Of the lesson's answer, wherever it stands in it.

@@ -54,14 +54,14 @@ class Decision {
       : link_(link), derivation_(derivation), prover_(prover) {}
 
   bool decide() const {
-    const Assumption assumption = derivation_.assumption;
+    const LawsAssumed laws = derivation_.laws;
     const Given& given = derivation_.given;
-    if (!has_a_part_that_is_0(assumption, given)) return true;
-    const std::pair<Assumption, Given> less[] = {
-        {Assumption::identity, {}}, {Assumption::motion, {}}, {assumption, {}}, {Assumption::motion, given}};
-    const bool is_least = assumption == Assumption::identity && given.empty();
+    if (!has_a_part_that_is_0(laws, given)) return true;
+    const std::pair<LawsAssumed, Given> less[] = {
+        {LawsAssumed::identity, {}}, {LawsAssumed::motion, {}}, {laws, {}}, {LawsAssumed::motion, given}};
+    const bool is_least = laws == LawsAssumed::identity && given.empty();
     for (const auto& [other, other_given] : less) {
-      const bool is_weaker = other != assumption || (!given.empty() && other_given.empty());
+      const bool is_weaker = other != laws || (!given.empty() && other_given.empty());
       if ((is_weaker || is_least) && holds(link_, other, other_given) &&
           !both_sides_are_0(link_, other, other_given))
         return true;
@@ -70,29 +70,28 @@ class Decision {
   }
 
  private:
-  bool holds(const Equality& equality, Assumption assumption, const Given& given) const {
-    return prover_.settle(equality, assumption, given) == Verdict::holds;
+  bool holds(const Equality& equality, LawsAssumed laws, const Given& given) const {
+    return prover_.settle(equality, laws, given) == Verdict::holds;
   }
-  bool is_0(const Expression& expression, Assumption assumption, const Given& given) const {
+  bool is_0(const Expression& expression, LawsAssumed laws, const Given& given) const {
     return is_provable({expression, zero_expression()}) &&
-           holds({expression, zero_expression()}, assumption, given);
+           holds({expression, zero_expression()}, laws, given);
   }
-  bool both_sides_are_0(const Equality& link, Assumption assumption, const Given& given) const {
+  bool both_sides_are_0(const Equality& link, LawsAssumed laws, const Given& given) const {
     return !is_written_as_zero(link.left) && !is_written_as_zero(link.right) &&
-           is_0(link.left, assumption, given) && is_0(link.right, assumption, given);
+           is_0(link.left, laws, given) && is_0(link.right, laws, given);
   }
 
   /// Of more than one: "dT/dt = 0" says what it says.
-  bool has_a_part_that_is_0(Assumption assumption, const Given& given) const {
-    if (both_sides_are_0(link_, assumption, given)) return true;
+  bool has_a_part_that_is_0(LawsAssumed laws, const Given& given) const {
+    if (both_sides_are_0(link_, laws, given)) return true;
     std::vector<Expression> terms;
     for (const Expression* side : {&link_.left, &link_.right})
       for (const SignedTerm& term : terms_of(*side))
         if (Expression part = part_of(*side, term.node); !is_written_as_zero(part))
           terms.push_back(std::move(part));
-    return terms.size() > 1 && std::any_of(terms.begin(), terms.end(), [&](const Expression& term) {
-             return is_0(term, assumption, given);
-           });
+    return terms.size() > 1 && std::any_of(terms.begin(), terms.end(),
+                                           [&](const Expression& term) { return is_0(term, laws, given); });
   }
 
   /// The axis whose equation has the difference of two moments: I2 − I3 is that of axis 1, from 0.
@@ -112,7 +111,7 @@ class Decision {
   }
 
   /// What is put back: without torque N, and with one a part of it, that of the vector A.
-  Q part() const { return derivation_.assumption == Assumption::free ? Q::N : Q::A; }
+  Q part() const { return derivation_.laws == LawsAssumed::free ? Q::N : Q::A; }
 
   int component(Rewriting& r, int axis) const {
     if (part() == Q::N) return r.quantity(static_cast<Q>(static_cast<int>(Q::N1) + axis));
@@ -184,12 +183,12 @@ class Decision {
   }
 
   bool holds_under_another_law() const {
-    if (derivation_.assumption == Assumption::identity || link_.left.uses(Q::A) || link_.right.uses(Q::A))
+    if (derivation_.laws == LawsAssumed::identity || link_.left.uses(Q::A) || link_.right.uses(Q::A))
       return false;
     int places = 0;
     const auto link = under_another_law(places);
-    return link && holds(*link, Assumption::motion, derivation_.given) &&
-           !both_sides_are_0(*link, Assumption::motion, derivation_.given);
+    return link && holds(*link, LawsAssumed::motion, derivation_.given) &&
+           !both_sides_are_0(*link, LawsAssumed::motion, derivation_.given);
   }
 
   /// Every sign a plus: then nothing cancels.

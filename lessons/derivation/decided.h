@@ -9,12 +9,16 @@
 
 namespace polhode {
 
-/// Precondition: it holds under what the derivation allows. Undecided is a line both of whose sides are 0
-/// there, without being written as 0, or one of whose terms is, unless
-/// - it holds under less: as an identity, in every motion, or without what is given; or
-/// - it holds once the law is another, and is another in the line too: with N1/(w2 w3) added to each I2 - I3,
-///   which stands for I1 w1'/(w2 w3), and N taken from each omega x L; or
-/// - it is a line of the lesson's solution, multiplied out, with none of its terms cancelled.
+/// Precondition: the line holds under what the derivation allows.
+///
+/// A line is suspect if both its sides are 0 there and neither is written as 0: without torque
+/// "dT/dt = 2 dT/dt". Or if one of several terms is 0 there: "L = L + dT/dt omega". A suspect line is decided
+/// all the same if one of these is so:
+/// - It holds under less, with sides that are not 0 there: as an identity, in every motion, or without what
+///   is given. Without torque both sides of "dL/dt = d*L/dt + omega x L" are 0, but it is an identity.
+/// - It holds under another law, once that law is written into the line: N1/(w2 w3) is added to each I2 - I3,
+///   which stands for I1 w1'/(w2 w3), and N is taken from each omega x L.
+/// - It is a line of the lesson's solution, multiplied out, and none of its terms cancel.
 bool is_decided(const Equality& link, const Derivation& derivation, const Prover& prover);
 
 /// Whether both sides are the same factors and terms in another order, a·b = b·a: this says nothing. Not so

@@ -56,7 +56,8 @@ bool say_the_same(const Equality& a, const Equality& b, const Given& given, cons
   for (const auto& [above, below] : kFactors) {
     auto right = difference(b, above, below);
     if (!right || !fit(left->type(), right->type())) return false;
-    if (prover.settle({*left, std::move(*right)}, Assumption::identity, given) == Verdict::holds) return true;
+    if (prover.settle({*left, std::move(*right)}, LawsAssumed::identity, given) == Verdict::holds)
+      return true;
   }
   return false;
 }
@@ -99,10 +100,10 @@ class Judge {
   LineJudgement judge(const DerivedLine& line) const {
     for (const Equality& link : line.links) {
       if (!is_provable(link)) return without_proof(link);
-      const Verdict verdict = settle(link, derivation_.assumption);
+      const Verdict verdict = settle(link, derivation_.laws);
       if (verdict == Verdict::holds) continue;
       if (verdict == Verdict::undecided)
-        return prover_.is_defined(link, derivation_.assumption, derivation_.given)
+        return prover_.is_defined(link, derivation_.laws, derivation_.given)
                    ? marked(Mark::unreadable, "its numbers become too large to be judged",
                             "write it with smaller powers")
                    : marked(Mark::unreadable, "this is nowhere defined", "is something divided by 0?");
@@ -115,19 +116,19 @@ class Judge {
   }
 
  private:
-  Verdict settle(const Equality& link, Assumption assumption) const {
-    return prover_.settle(link, assumption, derivation_.given);
+  Verdict settle(const Equality& link, LawsAssumed laws) const {
+    return prover_.settle(link, laws, derivation_.given);
   }
 
   /// In motions with a torque its sides are not 0, and a slip shows.
   LineJudgement undecided(const Equality& link) const {
     LineJudgement judgement =
         marked(Mark::away, "true, but both sides are 0 here: this line does not decide the factor");
-    const bool is_one_term = settle({link.left, zero_expression()}, derivation_.assumption) != Verdict::holds;
+    const bool is_one_term = settle({link.left, zero_expression()}, derivation_.laws) != Verdict::holds;
     if (is_one_term) judgement.reason = "true, but a term is 0 here: this line does not decide its factor";
     const FoundSlip found = find_slip(
         link, possible_terms(),
-        [&](const Equality& mended) { return settle(mended, Assumption::motion) == Verdict::holds; },
+        [&](const Equality& mended) { return settle(mended, LawsAssumed::motion) == Verdict::holds; },
         how_.notation->vocabulary);
     if (found.slip != Slip::other && found.slip != Slip::extra)
       judgement.hint = "with a torque it would fail: " + found.reason;
@@ -164,7 +165,7 @@ class Judge {
   FoundSlip slip_in(const Equality& link) const {
     return find_slip(
         link, possible_terms(),
-        [&](const Equality& mended) { return settle(mended, derivation_.assumption) == Verdict::holds; },
+        [&](const Equality& mended) { return settle(mended, derivation_.laws) == Verdict::holds; },
         how_.notation->vocabulary);
   }
 
@@ -181,18 +182,18 @@ class Judge {
   LineJudgement wrong(const Equality& link) const {
     LineJudgement judgement = marked(Mark::wrong, "this does not hold");
     judgement.slip = Slip::other;
-    judgement.counterexample = prover_.refute(link, derivation_.assumption, derivation_.given);
-    const bool is_identity = derivation_.assumption == Assumption::identity;
-    if (is_identity && settle(link, Assumption::motion) == Verdict::holds) {
+    judgement.counterexample = prover_.refute(link, derivation_.laws, derivation_.given);
+    const bool is_identity = derivation_.laws == LawsAssumed::identity;
+    if (is_identity && settle(link, LawsAssumed::motion) == Verdict::holds) {
       judgement.slip = Slip::law;
       judgement.reason = "this follows from Euler's law; here it has to hold whatever ω̇ is";
       return judgement;
     }
     const bool may_lack_torque =
-        derivation_.assumption == Assumption::motion && !derivation_.given.sets_torque() && !has_torque(link);
-    const bool vanishes = settle({link.right, zero_expression()}, Assumption::free) == Verdict::holds &&
+        derivation_.laws == LawsAssumed::motion && !derivation_.given.sets_torque() && !has_torque(link);
+    const bool vanishes = settle({link.right, zero_expression()}, LawsAssumed::free) == Verdict::holds &&
                           link.right.type() != ExpressionType::zero;
-    if (may_lack_torque && !vanishes && settle(link, Assumption::free) == Verdict::holds) {
+    if (may_lack_torque && !vanishes && settle(link, LawsAssumed::free) == Verdict::holds) {
       judgement.slip = Slip::torque;
       judgement.reason = "this is true without torque only";
       return judgement;
@@ -306,7 +307,7 @@ bool is_goal(const Derivation& derivation, const DerivedLine& line, const Prover
   const Words words = words_of(goal);
   const CanonicalForm form = expanded_form(goal);
   // What holds for all bodies and states is the same as any other such line: of that only its form can tell.
-  const bool is_identity = derivation.assumption == Assumption::identity;
+  const bool is_identity = derivation.laws == LawsAssumed::identity;
   const std::vector<Equality> said = said_by(line);
   return std::any_of(said.begin(), said.end(), [&](const Equality& equality) {
     if (!words.contains(words_of(equality)) || canonical_form(equality).empty()) return false;

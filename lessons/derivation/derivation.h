@@ -57,7 +57,7 @@ struct WorkedLine {
 
 struct Derivation {
   DerivedLine start, goal;
-  Assumption assumption = Assumption::identity;
+  LawsAssumed laws = LawsAssumed::identity;
   Given given;
   std::vector<DerivedLine> facts;  ///< what may be used
   std::set<std::string> letters;   ///< of all that stands here (letters_in)

@@ -109,9 +109,9 @@ std::vector<Expression> parts_of(const Expression& asked) {
   return parts;
 }
 
-Assumption assumption_of(const Question& question) {
-  if (question.modulo == "free") return Assumption::free;
-  return question.modulo == "motion" ? Assumption::motion : Assumption::identity;
+LawsAssumed laws_assumed_in(const Question& question) {
+  if (question.modulo == "free") return LawsAssumed::free;
+  return question.modulo == "motion" ? LawsAssumed::motion : LawsAssumed::identity;
 }
 
 std::string printed_letter(const std::string& letter) {
@@ -174,7 +174,7 @@ std::optional<NoAnswer> restated(const Expression& answer, const Question& quest
   const Expression& right = *question.expression;
   const auto is_what_is_asked = [&](const Expression& asked) {
     return fit(asked.type(), right.type()) && is_provable({asked, right}) &&
-           prover.settle({asked, right}, assumption_of(question), question.given) == Verdict::holds;
+           prover.settle({asked, right}, laws_assumed_in(question), question.given) == Verdict::holds;
   };
   for (const Expression& formula : question.asked)
     for (const Expression& asked : parts_of(formula)) {
@@ -209,7 +209,7 @@ std::optional<NoAnswer> why_no_answer(const Expression& answer, const Question& 
                                       const Prover& prover) {
   if (auto found = restated(answer, question, prover)) return found;
   // Where none acts N is 0, and would be an answer wherever that is one.
-  if (assumption_of(question) == Assumption::free && letters_used(answer).contains("N") &&
+  if (laws_assumed_in(question) == LawsAssumed::free && letters_used(answer).contains("N") &&
       !letters_used(*question.expression).contains("N"))
     return NoAnswer{"no torque acts here: say what is left without N", "letters"};
   if (question.letters.empty()) return std::nullopt;

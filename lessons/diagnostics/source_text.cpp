@@ -71,17 +71,6 @@ SourcePlace advanced(SourcePlace start, std::string_view line, std::size_t offse
   return {start.line, start.column + count_characters(line.substr(0, offset))};
 }
 
-SourcePlace PlaceCursor::advance_to(std::size_t offset) {
-  for (; offset_ < offset; ++offset_) {
-    if (text_[offset_] == '\n') {
-      place_ = {place_.line + 1, 1};
-    } else if (starts_character(text_[offset_])) {
-      ++place_.column;
-    }
-  }
-  return place_;
-}
-
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r";
   const std::size_t begin = text.find_first_not_of(kBlank);

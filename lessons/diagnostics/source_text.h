@@ -48,19 +48,6 @@ class SourceText {
 /// The place `offset` bytes after `start` on the same line.
 SourcePlace advanced(SourcePlace start, std::string_view line, std::size_t offset);
 
-/// Follows a text from its start and knows the place: what `advance_to` is given must not decrease. Linear in
-/// all.
-class PlaceCursor {
- public:
-  PlaceCursor(std::string_view text, SourcePlace start) : text_(text), place_(start) {}
-  SourcePlace advance_to(std::size_t offset);
-
- private:
-  std::string_view text_;
-  SourcePlace place_;
-  std::size_t offset_ = 0;
-};
-
 /// Spaces, tabs and carriage returns taken off both ends.
 std::string_view trimmed(std::string_view text);
 

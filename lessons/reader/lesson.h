@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <map>
 #include <memory>
 #include <string>
@@ -222,10 +223,10 @@ std::vector<int> numbers_in(const RichText& text);
 std::vector<int> numbers_in(const Block& block);
 std::vector<int> numbers_in(const Step& step);
 
-/// A step of a lesson by its index among those of its stage, and that by its index.
+/// A step of a lesson, by its index among those of its stage, and that by its index; both count from 0.
 struct StepPlace {
   std::size_t stage = 0, step = 0;
-  bool operator==(const StepPlace&) const = default;
+  auto operator<=>(const StepPlace&) const = default;
 };
 /// Where a link of the lesson's texts leads within the lesson: "#stage", or "#stage/equation" to the step
 /// that brings the equation. Nothing for any other link.

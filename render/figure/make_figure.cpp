@@ -4,10 +4,10 @@
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
 #include "render/figure/builders/builders.h"
-#include "render/figure/builders/places.h"
-#include "render/figure/frame.h"
+#include "render/figure/builders/extents.h"
 #include "render/figure/omega_tip.h"
 #include "render/figure/orbit_camera.h"
+#include "render/figure/pane_fit.h"
 #include "render/scene/model/translation.h"
 
 #include <algorithm>
@@ -120,21 +120,21 @@ Camera seen_from_center(Camera camera, const Vec3& center_V) {
 }
 
 /// Room for a title above panes that have one.
-FrameMargins margins_of(const Snapshot& m) {
+PaneMargins margins_of(const Snapshot& m) {
   constexpr double kTitle = 0.07;
-  FrameMargins margins;
+  PaneMargins margins;
   if (m.turn || m.model.scene.views.size() > 1) margins.top = kTitle;
   return margins;
 }
 
 /// Of the still as it is drawn.
-builders::Places places_of_still(const Snapshot& m) {
+builders::Extents extents_of_still(const Snapshot& m) {
   const SceneModel& model = m.model;
   const Snapshot still = builders::snapshot_at(model, still_time_s(model.scene), m.view);
   DrawList list;
   const Camera roughly = orbit(model.scene.camera, Vec3::Zero(), 1.0);
   for (builders::Builder* const add : builders::kBuilders) add(still, roughly, list);
-  return builders::places_of_drawn(list, still.center_V);
+  return builders::extents_of_drawn(list, still.center_V);
 }
 
 /// Whether only the motion knows where what is drawn can come.
@@ -162,13 +162,13 @@ Beginning beginning_of(const Scene& scene, const Vec3& w0_B) {
   return made;
 }
 
-builders::Places held_places(const Snapshot& m) {
+builders::Extents held_extents(const Snapshot& m) {
   const std::optional<CameraFit>& fitted = m.model.scene.camera.fitted;
   if (fitted && fitted->w0_B && !m.turn && !frame_needs_motion(m.model)) {
     const Beginning then = beginning_of(m.model.scene, *fitted->w0_B);
-    return builders::places_of(builders::snapshot_in(then.model, 0.0, m.view, then.state));
+    return builders::extents_of(builders::snapshot_in(then.model, 0.0, m.view, then.state));
   }
-  return m.model.scene.camera.holds_still && !m.turn ? places_of_still(m) : builders::places_of(m);
+  return m.model.scene.camera.holds_still && !m.turn ? extents_of_still(m) : builders::extents_of(m);
 }
 
 /// Of what a camera shows at its middle.
@@ -180,19 +180,19 @@ double half_height_of(const Camera& camera) {
 /// side by side have one scale.
 Camera camera_for(const Snapshot& m, double aspect, double least_half_height) {
   const CameraSpec& spec = m.model.scene.camera;
-  const FrameMargins margins = margins_of(m);
-  const builders::Places places = held_places(m);
-  Frame frame = frame_of(places, spec, aspect, margins);
+  const PaneMargins margins = margins_of(m);
+  const builders::Extents extents = held_extents(m);
+  PaneFit fit = pane_fit(extents, spec, aspect, margins);
   for (const View view : m.model.scene.views) {
     if (view == m.view || m.turn || drifts(m.model.scene)) continue;
-    const builders::Places others = held_places(builders::snapshot_in(m.model, m.t_s, view, m.state));
-    const Frame other = frame_of(others, spec, aspect, margins, frame.radius);
-    frame = frame_of(places, spec, aspect, margins, other.radius);
-    frame.half_tan = std::max(frame.half_tan, other.half_tan);
+    const builders::Extents others = held_extents(builders::snapshot_in(m.model, m.t_s, view, m.state));
+    const PaneFit other = pane_fit(others, spec, aspect, margins, fit.radius);
+    fit = pane_fit(extents, spec, aspect, margins, other.radius);
+    fit.half_tan = std::max(fit.half_tan, other.half_tan);
   }
   if (least_half_height > 0.0)
-    frame.half_tan *= std::max(1.0, least_half_height / half_height_of(framed(frame, spec)));
-  const Camera camera = framed(frame, spec);
+    fit.half_tan *= std::max(1.0, least_half_height / half_height_of(fitted_camera(fit, spec)));
+  const Camera camera = fitted_camera(fit, spec);
   return translates(m) ? seen_from_center(camera, m.center_V) : camera;
 }
 

@@ -60,7 +60,7 @@ std::vector<double> live_ms_of_steps(const Lesson& lesson) {
   for (const Stage& stage : lesson.stages)
     for (const Step& step : stage.steps) {
       if (!step.scene) continue;
-      const SceneModel model = make_model(*step.scene, Product::page);
+      const SceneModel model = make_model(*step.scene, ModelFor::page);
       int frame = 0;
       const auto all_values = [&] {
         const double t_s = model.scene.at_s + model.rate * frame++ / kTimes;
@@ -91,9 +91,9 @@ int run() {
   const Prover prover;
   for (const auto& [line, kind] : lines) {
     const Equality& equality = line->equality;
-    const Assumption assumption = assumption_of(kind);
-    settle_us.push_back(1e6 * each_s(50, [&] { prover.settle(equality, assumption); }));
-    refute_ms.push_back(1e3 * cpu_s([&] { (void)prover.refute(equality, assumption); }));
+    const LawsAssumed laws = laws_assumed_by(kind);
+    settle_us.push_back(1e6 * each_s(50, [&] { prover.settle(equality, laws); }));
+    refute_ms.push_back(1e3 * cpu_s([&] { (void)prover.refute(equality, laws); }));
   }
   for (int i = 0; i < 20; ++i)
     lecture_ms.push_back(1e3 * cpu_s([&] {

@@ -39,7 +39,7 @@ Sheet sheet_of_all_kinds() {
 /// yet.
 double cost_ms(const Lesson& lesson, const Stage& stage, const GlContext& context) {
   const Step& step = stage.steps.back();
-  const SceneModel model = make_model(*step.scene, Product::page);
+  const SceneModel model = make_model(*step.scene, ModelFor::page);
   const Fonts fonts = Fonts::open().value();
   const auto renderer = value_of(Renderer::create(context, fonts));
   const PageRequest request{.lesson = lesson,
@@ -87,7 +87,7 @@ std::vector<double> typing_costs_ms() {
   std::vector<double> costs;
   for_each_derivation(loaded.lesson, [&](const Stage& stage, int step, const Ask& ask) {
     const SceneModel model =
-        make_model(*stage.steps[static_cast<std::size_t>(step - 1)].scene, Product::page);
+        make_model(*stage.steps[static_cast<std::size_t>(step - 1)].scene, ModelFor::page);
     DerivationWork work(loaded.lesson, ask);
     PageRequest request{.lesson = loaded.lesson,
                         .stage = stage,

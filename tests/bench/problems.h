@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two problems all figures are measured on, with the true states long after the start.
+// The two problems that all benchmarks are run on, with the true states long after the start.
 #pragma once
 
 #include "tests/bench/rigid_body_ode.h"

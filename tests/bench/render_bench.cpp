@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a frame costs: CPU ms of all threads (column CPU) beside wall time, for the Poinsot scene with labels
-// and a moving camera. BM_Frame is the figure that counts: picture and PNG together, at most 65 ms of CPU at
+// and a moving camera. BM_Frame is the one that counts: picture and PNG together, at most 65 ms of CPU at
 // 1080p.
 #include "app/export/picture_writer.h"
 #include "render/figure/make_figure.h"

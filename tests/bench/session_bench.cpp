@@ -5,7 +5,7 @@
 #include "app/cli/or_fail.h"
 #include "app/page/page.h"
 #include "app/session/accuracy_meter.h"
-#include "app/session/figure_interaction.h"
+#include "app/session/omega_drag.h"
 #include "app/session/page_symbols.h"
 #include "render/figure/make_figure.h"
 #include "render/figure/omega_tip.h"
@@ -43,7 +43,7 @@ void BM_AccuracyMeter(benchmark::State& state, const MotionSpec& motion) {
   scene.w0_B = Vec3(0.1, 1.5, 0.2);
   scene.show = {Overlay::shape, Overlay::omega};
   scene.motion = motion;
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   const AccuracyMeter meter(model);
   const double t_s = 100 * 2 * std::numbers::pi / scene.w0_B.norm();
   benchmark::DoNotOptimize(meter.at(model, t_s));

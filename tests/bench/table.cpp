@@ -27,13 +27,13 @@ std::string verdict(const Goal& goal, double x) {
 }  // namespace
 
 void print_row_heading() {
-  fmt::print(kLine, "figure", "measured", "[quartiles]", "goal", "verdict");
+  fmt::print(kLine, "benchmark", "measured", "[quartiles]", "goal", "verdict");
   fmt::print("{:-<144}\n", "");
 }
 
 void print(const Row& row) {
   const auto& m = row.measured;
-  fmt::print(kLine, row.figure, m ? number(m->median) : "-",
+  fmt::print(kLine, row.benchmark, m ? number(m->median) : "-",
              m ? "[" + number(m->low) + ", " + number(m->high) + "]" : "", row.goal ? words(*row.goal) : "",
              !m          ? "NOT MEASURED"
              : !row.goal ? "for information"

@@ -24,7 +24,7 @@ inline Goal at_least(double value, std::optional<double> stretch = {}) {
 }
 
 struct Row {
-  std::string figure;
+  std::string benchmark;
   std::optional<Spread> measured;  ///< none: the note says why
   std::optional<Goal> goal;        ///< none: for information
   std::string note;                ///< what stands behind the ratio, on the line below

@@ -90,14 +90,15 @@ def seeds_of(target):
         kinds = [(0, 1), (0, 8), (0, 16), (2, 8), (2, 16), (3, 1), (3, 4), (3, 8), (4, 8), (6, 8), (6, 16)]
         return [small_png(*kind, interlaced) for kind in kinds for interlaced in (False, True)]
     if target == "command":
-        return [re.sub(r" +", "\n", line.strip()).encode() for path in ("README.md", "app/README.md")
-                for line in (ROOT / path).read_text().splitlines() if "polhode " in line]
+        lines = re.findall(r"`(polhode [^`\n]+)`", (ROOT / "docs/recipes.md").read_text())
+        lines += re.findall(r"(?m)^polhode .+", (ROOT / "README.md").read_text())
+        return [re.sub(r" +", "\n", line.strip()).encode() for line in lines]
     return []
 
 
 def words_for(target):
     """What a fuzzer puts in whole."""
-    sources = {"tex": ["docs/tex.md"], "formula": ["docs/tex.md"], "text": ["docs/tex.md"], "command": ["README.md"]}
+    sources = {"tex": ["docs/tex.md"], "formula": ["docs/tex.md"], "text": ["docs/tex.md"], "command": ["docs/recipes.md"]}
     words = set()
     for path in sources.get(target, ["lessons/FORMAT.md"]):
         for code in re.findall(r"`([^`\n]+)`", (ROOT / path).read_text()):

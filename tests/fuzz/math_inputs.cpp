@@ -37,7 +37,7 @@ std::vector<std::string> tokens() {
                                   "\xFF",      "{{{{{{{{{{{{",
                                   "}}}}}}}}",  "\\text{",
                                   "\\tag{1}"};
-  for (const MathCommand& command : math_commands()) all.push_back("\\" + std::string(command.name));
+  for (const std::string_view name : math_command_names()) all.push_back("\\" + std::string(name));
   for (const std::string_view name : math_environment_names()) {
     all.push_back("\\begin{" + std::string(name) + "}");
     all.push_back("\\end{" + std::string(name) + "}");

@@ -149,9 +149,10 @@ std::string finding_in_command(std::string_view bytes) {
       words.emplace_back();
     else
       words.back() += c;
-  const std::vector<Command> real = program_commands();  // what they do keeps what the options point to
-  std::vector<Command> commands = real;
-  for (Command& command : commands) command.run = [](const CommandWords&) { return ExitCode::done; };
+  const std::vector<ProgramCommand> real =
+      program_commands();  // what they do keeps what the options point to
+  std::vector<ProgramCommand> commands = real;
+  for (ProgramCommand& command : commands) command.run = [](const CommandWords&) { return ExitCode::done; };
   std::vector<const char*> line = {"polhode"};
   for (const std::string& word : words) line.push_back(word.c_str());
   const ExitCode code = run_command_line(commands, static_cast<int>(line.size()), line.data());

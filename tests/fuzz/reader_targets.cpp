@@ -104,7 +104,7 @@ const Derivation& derivation() {
   static const Derivation kDerivation = [] {
     Derivation one{.start = line_of("dL/dt = N"),
                    .goal = line_of("d*L/dt + omega x L = N"),
-                   .assumption = Assumption::motion,
+                   .laws = LawsAssumed::motion,
                    .given = {},
                    .facts = {},
                    .letters = {},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The pictures of docs/overlays: one of every overlay, as the program draws it today.
 #include "app/page/figure_place.h"
-#include "app/page/loaded_lesson.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "render/image/compare.h"
 #include "tests/golden/approval.h"
 

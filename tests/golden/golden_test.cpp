@@ -142,12 +142,12 @@ Image plot_picture(const WorkPrecisionPlot& plot) {
   return std::move(image).value();
 }
 
-TEST(GoldenPlot, IsAsApproved) { expect_as_approved(kPlotName, plot_picture(ladder_plot())); }
+TEST(GoldenPlot, IsAsApproved) { expect_as_approved(kPlotName, plot_picture(plot_of_all_methods())); }
 
 TEST(GoldenPlot, RefusesEveryMutation) {
-  const Image approved = plot_picture(ladder_plot());
+  const Image approved = plot_picture(plot_of_all_methods());
   const auto refused = [&](const char* what, auto change) {
-    WorkPrecisionPlot plot = ladder_plot();
+    WorkPrecisionPlot plot = plot_of_all_methods();
     change(plot);
     EXPECT_FALSE(compare_images(approved, plot_picture(plot)).equal()) << what;
   };
@@ -162,7 +162,7 @@ TEST(GoldenPlot, RefusesEveryMutation) {
 }
 
 TEST(GoldenPlot, RepeatsToTheByte) {
-  EXPECT_EQ(plot_picture(ladder_plot()).rgba, plot_picture(ladder_plot()).rgba);
+  EXPECT_EQ(plot_picture(plot_of_all_methods()).rgba, plot_picture(plot_of_all_methods()).rgba);
 }
 
 TEST(Goldens, NoFileIsWithoutItsRow) {

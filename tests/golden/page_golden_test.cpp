@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Golden pages, equations and a frame of a morph, by the golden rule, each proved able to fail.
-#include "app/page/loaded_lesson.h"
 #include "app/page/page.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "render/image/compare.h"
 #include "render/typeset/morph.h"
 #include "tests/golden/approval.h"
@@ -84,7 +84,7 @@ Image or_throw(Result<Image> image) {
 Image page_picture(const Asked& asked, const Lesson& lesson) {
   const Stage& stage = lesson.stages[0];
   const Scene& scene = *stage.steps[static_cast<std::size_t>(asked.step - 1)].scene;
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   const Page page = compose_page({.lesson = lesson,
                                   .stage = stage,
                                   .number = 1,

@@ -85,7 +85,11 @@ const std::vector<Room>& rooms() {
       {"app/publish/", Names{"app/publish/"} + kExport,
        Names{"fmt/", "nlohmann/", "archive", "libdeflate.h"} + kPosix, kConsole},
       {"app/session/", kSession, kFormats + kPosix, kConsole},
-      {"app/web/", kSession, Names{"emscripten/"} + kFormats, kConsole},
+      {"app/web/",
+       Names{"app/session/", "app/page/", "render/figure/", "render/drawing/", "render/gl/",
+             "render/image/image.h", "render/palette.h"} +
+           kNarration,
+       Names{"emscripten/"} + kFormats, kConsoleAndFiles + Names{"thread", "future"}},
       {"app/window/panels/", kWindow, kControls, kConsole},
       {"app/window/screen/", kWindow, kControls, kConsole},  // drawn off-screen too, without GLFW
       {"app/window/", kWindow, Names{"GLFW/", "X11/", "backends/imgui_impl_glfw.h"} + kControls, kConsole},
@@ -322,6 +326,72 @@ std::vector<Finding> unused_arrows(const std::map<std::string, std::string>& sou
         findings.push_back({"tests/layers/rules.cpp", 1,
                             std::string(room->folder) + " may see " + std::string(seen) + ", and does not"});
     }
+  return findings;
+}
+
+std::vector<std::string> types_of(std::string_view text) {
+  static const std::regex kNamespace(R"(\bnamespace\s*([\w:]*)\s*$)");
+  static const std::regex kType(
+      R"((?:^|[\s>])(?:struct|class|union|enum(?:\s+(?:class|struct))?)\s+(\w+)(?:\s+final)?\s*(?::(?!:)[^{]*)?$)");
+  static const std::regex kAlias(R"(\busing\s+(\w+)\s*=)");
+  static const std::regex kDirective(R"(^\s*#)");
+  std::string code;
+  bool goes_on = false;  // a directive, in the next line
+  for (const std::string& line : lines_of(code_of(text))) {
+    const bool is_directive = goes_on || std::regex_search(line, kDirective);
+    goes_on = is_directive && line.ends_with('\\');
+    if (!is_directive) code += line + '\n';
+  }
+
+  std::vector<std::string> types;
+  std::vector<std::string> around;  // namespaces, from the outermost; a brace of another kind: empty
+  std::string statement;            // as far as it has been read, where all that is around it are namespaces
+  const auto in_namespaces = [&] {
+    return std::ranges::none_of(around, [](const std::string& name) { return name.empty(); });
+  };
+  const auto add = [&](const std::string& type) {
+    std::string whole;
+    for (const std::string& name : around) whole += name + "::";
+    if (whole.find("anonymous") == whole.npos) types.push_back(whole + type);
+  };
+  std::smatch match;
+  for (const char c : code) {
+    if (c == '{') {
+      std::string name;
+      if (in_namespaces()) {
+        if (std::regex_search(statement, match, kNamespace))
+          name = match[1].length() > 0 ? match[1].str() : "(anonymous)";
+        else if (std::regex_search(statement, match, kType))
+          add(match[1].str());
+      }
+      around.push_back(name);
+      statement.clear();
+    } else if (c == '}') {
+      if (!around.empty()) around.pop_back();
+      statement.clear();
+    } else if (!in_namespaces()) {
+      continue;
+    } else if (c == ';') {
+      if (std::regex_search(statement, match, kAlias)) add(match[1].str());
+      statement.clear();
+    } else {
+      statement += c;
+    }
+  }
+  return types;
+}
+
+std::vector<Finding> doubled_types(const std::map<std::string, std::string>& sources) {
+  std::map<std::string, std::string> first;  // header, by the type
+  std::vector<Finding> findings;
+  for (const auto& [path, text] : sources) {
+    if (!path.ends_with(".h")) continue;
+    for (const std::string& type : types_of(text)) {
+      const auto [known, is_new] = first.emplace(type, path);
+      if (!is_new && known->second != path)
+        findings.push_back({path, 1, type + " is defined in " + known->second + " too"});
+    }
+  }
   return findings;
 }
 

@@ -44,6 +44,15 @@ std::vector<Finding> broken_closures(const std::map<std::string, std::string>& s
 /// nor through what it sees.
 std::vector<Finding> unused_arrows(const std::map<std::string, std::string>& sources);
 
+/// The types that the file defines for others: each struct, class, union, enum and alias of a namespace with
+/// a name, as `polhode::builders::Extent`. What is only declared, or stands in a type, is none.
+std::vector<std::string> types_of(std::string_view text);
+
+/// Every header that defines a type that another header defines too. Nothing says so as long as no file
+/// includes both, but the program then has two types of one name: what the linker makes of their inline
+/// functions and templates, such as std::vector<Command>, is one of the two.
+std::vector<Finding> doubled_types(const std::map<std::string, std::string>& sources);
+
 /// Whether the licence is named on the first line, or on the second below `#!`.
 bool names_licence(std::string_view text);
 

@@ -102,6 +102,9 @@ INSTANTIATE_TEST_SUITE_P(
         Forbidden{"app/export/a.cpp", "CLI/CLI.hpp"},
         Forbidden{"app/publish/a.cpp", "app/session/lesson_session.h"},
         Forbidden{"app/session/a.cpp", "app/cli/exit_codes.h"}, Forbidden{"app/session/a.cpp", "imgui.h"},
+        Forbidden{"app/web/a.cpp", "app/export/picture_writer.h"},
+        Forbidden{"app/web/a.cpp", "render/image/png.h"}, Forbidden{"app/web/a.cpp", "thread"},
+        Forbidden{"app/web/a.cpp", "filesystem"}, Forbidden{"app/web/a.cpp", "imgui.h"},
         Forbidden{"app/window/a.cpp", "app/cli/exit_codes.h"},
         Forbidden{"app/window/a.cpp", "app/publish/deck.h"},
         Forbidden{"app/window/panels/a.cpp", "GLFW/glfw3.h"},
@@ -209,6 +212,46 @@ TEST(Header, NeedsPragmaOnce) {
 }
 
 TEST(File, OutsideEveryRoomIsRefused) { EXPECT_THAT(messages("util/a.cpp", ""), testing::SizeIs(1)); }
+
+TEST(Types, AreThoseOfNamespacesThatHaveAName) {
+  EXPECT_THAT(
+      types_of(R"(
+#define OPEN {
+namespace polhode {
+struct Declared;
+enum class Early : int;
+struct Plain { struct Inner {}; using Alias = int; };
+class Derived final : public std::vector<Plain> {};
+template <class T, int N = 3>
+struct Templated {};
+enum class Kind : char { a, b };
+enum Old { c };
+template <class T>
+using Alias = std::array<T, 3>;
+inline Plain made(struct Declared* from) { struct Local {}; return {}; }
+template <class T> T made() { return {}; }
+const Plain kPlain = {};
+// struct Commented {};
+namespace { struct Hidden {}; }
+namespace builders { struct Deep {}; }
+}
+namespace polhode::layers { union Both { int a; char b; }; }
+)"),
+      ElementsAre("polhode::Plain", "polhode::Derived", "polhode::Templated", "polhode::Kind", "polhode::Old",
+                  "polhode::Alias", "polhode::builders::Deep", "polhode::layers::Both"));
+}
+
+TEST(Types, OfOneNameInTwoHeadersAreReported) {
+  const std::map<std::string, std::string> sources = {
+      {"app/a.h", "namespace polhode {\nenum class Command { quit };\nstruct Other {};\n}\n"},
+      {"app/b.h", "namespace polhode {\nstruct Command {\n  int code;\n};\n}\n"},
+      {"app/c.h", "namespace polhode::cli {\nstruct Command {};\n}\nnamespace polhode {\nstruct Other;\n}\n"},
+      {"app/d.cpp", "namespace polhode {\nstruct Other {};\n}\n"}};
+  const std::vector<Finding> found = doubled_types(sources);
+  ASSERT_THAT(found, testing::SizeIs(1));
+  EXPECT_EQ(found[0].file, "app/b.h");
+  EXPECT_EQ(found[0].message, "polhode::Command is defined in app/a.h too");
+}
 
 TEST(Licence, IsNamedOnTheFirstLineOrBelowTheShebang) {
   EXPECT_TRUE(names_licence("// SPDX-License-Identifier: MIT\n"));

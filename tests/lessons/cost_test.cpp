@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 1 MiB of anything takes at most 1 s and 64 MiB (figure L2). Each input is a family some Markdown, TOML or
+// 1 MiB of anything takes at most 1 s and 64 MiB. Each input is a family some Markdown, TOML or
 // TeX reader was slow on, or fills one of our own lists.
 #include "lessons/reader/markdown/inline_text.h"
 #include "lessons/reader/scene/scene_keys.h"

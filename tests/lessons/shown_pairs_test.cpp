@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The two numbers that a page shows below an equation are those of its two sides: of all equations of all
 // lessons, against values that are computed here from the equation as it is printed, not from its claim.
+#include "base/angles.h"
 #include "lessons/claims/live_claims.h"
 #include "physics/body/euler.h"
-#include "render/scene/model/arrow.h"
 #include "render/scene/model/translation.h"
+#include "render/scene/model/transport_arrow.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>
@@ -140,7 +141,9 @@ double L2_minus_2TI(const Now& s, int i) { return s.L().squaredNorm() - 2 * s.T(
 /// I_i (I_i − I_k) ω_i²: what |L|² − 2T I_k is the sum of.
 double part(const Now& s, int i, int k) { return s.I()[i] * (s.I()[i] - s.I()[k]) * s.w()[i] * s.w()[i]; }
 
-/// The symmetric top: the rate at which ω goes round on the body, L/I1, and the sum of two arrows.
+/// The symmetric top: the angle of a vector with its axis, the rate at which ω goes round on the body, L/I1,
+/// and the sum of two arrows.
+double lean(const Now& s, const Vec3& a_B) { return angle_between(s.e(3), a_B); }
 double lambda(const Now& s) { return (s.I()[2] - s.I()[0]) / s.I()[0] * s.w()[2]; }
 Vec3 wobble(const Now& s) { return s.L() / s.I()[0]; }
 Vec3 sum_of_two_arrows(const Now& s) { return wobble(s) + (1 - s.I()[2] / s.I()[0]) * s.w()[2] * s.e(3); }
@@ -198,7 +201,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/substitute-from", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
     {"euler-equations/substitute-both", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
     {"euler-equations/substitute-normal", [](const Now& s) { return Sides2(s.L().dot(w_x_L(s)), 0.0); }},
-    {"euler-equations/substitute-tempting", [](const Now& s) { return Sides2(s.L() + w_x_L(s), s.N()); }},
     {"euler-equations/tensor-two-terms", [](const Now& s) { return Sides2(s.star_L(), s.times_I(s.star_w())); }},
     {"euler-equations/tensor-product-rule", [](const Now& s) { return Sides2(s.star_L(), s.times_I(s.star_w())); }},
     {"euler-equations/tensor-outside", [](const Now& s) { return Sides2(s.times_I(s.star_w()) + w_x_L(s), s.N()); }},
@@ -276,10 +278,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"symmetric-top/radius", [](const Now& s) {
        return Sides2(s.ddt([](const Now& now) { return now.w().head<2>().squaredNorm(); }), 0.0); }},
     {"symmetric-top/harmonic", [](const Now& s) { return Sides2(s.second_w1(), -lambda(s) * lambda(s) * s.w()[0]); }},
-    {"symmetric-top/lean", [](const Now& s) {
-       const auto squared_tangent = [](const Vec3& x) { return x.head<2>().squaredNorm() / (x[2] * x[2]); };
-       const double ratio = s.I()[0] / s.I()[2];
-       return Sides2(squared_tangent(s.L()), ratio * ratio * squared_tangent(s.w())); }},
     {"symmetric-top/L-cone", [](const Now& s) {
        return Sides2(s.ddt([](const Now& now) { return now.L()[2]; }), 0.0); }},
     {"symmetric-top/split", [](const Now& s) { return Sides2(s.w(), sum_of_two_arrows(s)); }},
@@ -292,8 +290,8 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"symmetric-top/wobble-rate", [](const Now& s) { return Sides2(wobble(s)[2], s.I()[2] / s.I()[0] * s.w()[2]); }},
     {"symmetric-top/rolls", [](const Now& s) {
        return Sides2(lambda(s) * s.e(3).cross(s.w()), wobble(s).cross(s.w())); }},
-    {"symmetric-top/outside", [](const Now& s) { return Sides2((1 - s.I()[2] / s.I()[0]) * s.w()[2], 0.0); }},
-    {"symmetric-top/inside", [](const Now& s) { return Sides2((1 - s.I()[2] / s.I()[0]) * s.w()[2], 0.0); }},
+    {"symmetric-top/outside", [](const Now& s) { return Sides2(angle_between(s.w(), s.L()), lean(s, s.L()) - lean(s, s.w())); }},
+    {"symmetric-top/inside", [](const Now& s) { return Sides2(angle_between(s.w(), s.L()), lean(s, s.w()) - lean(s, s.L())); }},
     {"symmetric-top/flattest", [](const Now& s) { return Sides2(s.I()[2], 2 * s.I()[0]); }},
     {"symmetric-top/flat-plate", [](const Now& s) { return Sides2(s.I()[2], 2 * s.I()[0]); }},
     {"symmetric-top/plate-rate", [](const Now& s) { return Sides2(wobble(s)[2], 2 * s.w()[2]); }},

@@ -15,7 +15,7 @@
 namespace polhode::oracle {
 namespace {
 
-constexpr std::array kAssumptions = {Assumption::identity, Assumption::motion, Assumption::free};
+constexpr std::array kAssumptions = {LawsAssumed::identity, LawsAssumed::motion, LawsAssumed::free};
 constexpr std::array kNames = {"identity", "motion", "free"};
 
 Verdict verdict_of(Decision decision) {
@@ -34,7 +34,7 @@ bool is_long(const Equality& equality) {
 class Agreement : public ::testing::Test {
  protected:
   /// Of both under every assumption; what GiNaC says under `as`.
-  Verdict compare(const Equality& equality, Assumption as) {
+  Verdict compare(const Equality& equality, LawsAssumed as) {
     Verdict verdict = Verdict::undecided;
     for (std::size_t i = 0; i < kAssumptions.size(); ++i) {
       const Verdict ours = prover_.settle(equality, kAssumptions[i]);
@@ -58,8 +58,8 @@ class Agreement : public ::testing::Test {
   }
 
   Prover prover_;
-  std::array<Oracle, 3> oracles_{Oracle(Assumption::identity), Oracle(Assumption::motion),
-                                 Oracle(Assumption::free)};
+  std::array<Oracle, 3> oracles_{Oracle(LawsAssumed::identity), Oracle(LawsAssumed::motion),
+                                 Oracle(LawsAssumed::free)};
   std::array<std::array<int, 3>, 3> counts_{};
   int equalities_ = 0;
 };
@@ -70,7 +70,7 @@ TEST_F(Agreement, OnWhatIsTrueByConstructionAndOnItsMutants) {
   Rewriter rewriter(20260611);
   int made = 0, held = 0;
   for (int n = 0; made < kTrue; ++n) {
-    const Assumption assumption = kAssumptions[static_cast<std::size_t>(n) % 3];
+    const LawsAssumed assumption = kAssumptions[static_cast<std::size_t>(n) % 3];
     const Term term = n % 2 == 0 ? rewriter.scalar(3) : rewriter.vector(3);
     Term other = term;
     for (std::size_t laws = 1 + rewriter.below(5); laws > 0; --laws)
@@ -110,44 +110,44 @@ Given given_by(const std::vector<std::string>& settings) {
 TEST_F(Agreement, OnWhatIsGivenAndOnTheAxesOfSpace) {
   struct Case {
     std::vector<std::string> given;
-    Assumption assumption;
+    LawsAssumed assumption;
     std::vector<std::pair<const char*, const char*>> equal;
   };
   const std::string symmetric = "I2 = I1", heavy = "N = h*cross(ez, e3)";
   const Case cases[] = {
       {{symmetric},
-       Assumption::free,
+       LawsAssumed::free,
        {{"dw3", "0"},
         {"dw1", "(I1 - I3)/I1*w2*w3"},
         {"ddt(w1^2 + w2^2)", "0"},
         {"ddt(e3)", "cross(L/I1, e3)"}}},
       {{symmetric},
-       Assumption::identity,
+       LawsAssumed::identity,
        {{"omega", "L/I1 + (I1 - I3)/I1*w3*e3"}, {"2*T", "I1*(w1^2 + w2^2) + I3*w3^2"}}},
       {{heavy},
-       Assumption::motion,
+       LawsAssumed::motion,
        {{"ddt(T + h*dot(ez, e3))", "0"}, {"ddt(dot(L, ez))", "0"}, {"dw3", "(I1 - I2)*w1*w2/I3"}}},
-      {{symmetric, heavy}, Assumption::motion, {{"ddt(dot(L, e3))", "0"}, {"dot(ddt(L), ez)", "0"}}},
-      {{"I3 = I1 + I2"}, Assumption::free, {{"dw1", "-w2*w3"}, {"dw2", "w3*w1"}}},
-      {{"I1 = I3", "I2 = (I1 + I3)/2"}, Assumption::motion, {{"ddt(omega)", "N/I3"}}},
-      {{"N1 = -k*w1", "N2 = -k*w2", "N3 = -k*w3"}, Assumption::motion, {{"ddt(T)", "-k*norm2(omega)"}}},
-      {{"w1 = 0", "w2 = 0"}, Assumption::identity, {{"L", "I3*omega"}, {"cross(omega, L)", "0"}}},
-      {{symmetric}, Assumption::free, {{"ddt(dw1)", "-((I1 - I3)/I1*w3)^2*w1"}, {"ddt(ddt(T))", "0"}}},
+      {{symmetric, heavy}, LawsAssumed::motion, {{"ddt(dot(L, e3))", "0"}, {"dot(ddt(L), ez)", "0"}}},
+      {{"I3 = I1 + I2"}, LawsAssumed::free, {{"dw1", "-w2*w3"}, {"dw2", "w3*w1"}}},
+      {{"I1 = I3", "I2 = (I1 + I3)/2"}, LawsAssumed::motion, {{"ddt(omega)", "N/I3"}}},
+      {{"N1 = -k*w1", "N2 = -k*w2", "N3 = -k*w3"}, LawsAssumed::motion, {{"ddt(T)", "-k*norm2(omega)"}}},
+      {{"w1 = 0", "w2 = 0"}, LawsAssumed::identity, {{"L", "I3*omega"}, {"cross(omega, L)", "0"}}},
+      {{symmetric}, LawsAssumed::free, {{"ddt(dw1)", "-((I1 - I3)/I1*w3)^2*w1"}, {"ddt(ddt(T))", "0"}}},
       {{symmetric, heavy},
-       Assumption::motion,
+       LawsAssumed::motion,
        {{"I1*ddt(ddt(dot(ez, e3)))",
          "I3*w3*dot(ez, omega - w3*e3) - h*(1 - dot(ez, e3)^2) - I1*dot(ez, e3)*norm2(cross(omega, e3))"},
         {"ddt(ddt(L))", "h*cross(ez, cross(omega, e3))"}}},
       {{},
-       Assumption::motion,
+       LawsAssumed::motion,
        {{"I1*ddt(dw1)", "(I2 - I3)*(dw2*w3 + w2*dw3) + ddt(N1)"}, {"m*ddt(ddt(v))", "ddt(F)"}}},
       {{},
-       Assumption::identity,
+       LawsAssumed::identity,
        {{"ddt(ddt(A))",
          "star(star(A)) + 2*cross(omega, star(A)) + cross(star(omega), A) + cross(omega, cross(omega, A))"},
         {"ddt(ddt(w1/w2))", "(ddt(dw1)*w2^2 - w1*w2*ddt(dw2) - 2*dw1*dw2*w2 + 2*w1*dw2^2)/w2^3"}}},
-      {{"F = -h*ez"}, Assumption::motion, {{"dot(ddt(p), ez)", "-h"}, {"ddt(dot(p, ex))", "0"}}},
-      {{}, Assumption::identity, {{"star(ez)", "cross(ez, omega)"}, {"ex", "cross(ey, ez)"}}},
+      {{"F = -h*ez"}, LawsAssumed::motion, {{"dot(ddt(p), ez)", "-h"}, {"ddt(dot(p, ex))", "0"}}},
+      {{}, LawsAssumed::identity, {{"star(ez)", "cross(ez, omega)"}, {"ex", "cross(ey, ez)"}}},
   };
   int mutants = 0, held = 0;
   for (const Case& c : cases) {
@@ -184,7 +184,7 @@ TEST_F(Agreement, OnTwoExpressionsThatHaveNothingToDoWithEachOther) {
     const Term left = vector ? rewriter.vector(2) : rewriter.scalar(2);
     const Term right = vector ? rewriter.vector(2) : rewriter.scalar(2);
     if (const auto equality = equality_from(text_of(left), text_of(right)); equality && !is_long(*equality))
-      compare(*equality, Assumption::identity);
+      compare(*equality, LawsAssumed::identity);
   }
   print();
 }

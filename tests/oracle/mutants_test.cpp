@@ -21,7 +21,7 @@ namespace {
 
 struct Line {
   Equality equality;
-  Assumption assumption;
+  LawsAssumed assumption;
   Given given;
   bool measured;  ///< in a scene: it need not hold in every motion
 };
@@ -36,7 +36,7 @@ std::vector<Line> proved_lines_of(const Lesson& lesson) {
         if (!claim->given.small.empty()) continue;  // to an order: tex_mutants_test.cpp has those
         for (const ClaimLine& line : claim->lines)
           if (is_provable(line.equality) && line.relation == Relation::equal && !line.conclusion)
-            lines.push_back({line.equality, assumption_of(claim->kind, claim->given), claim->given,
+            lines.push_back({line.equality, laws_assumed_by(claim->kind, claim->given), claim->given,
                              claim->kind == ClaimKind::measured});
       }
   return lines;

@@ -59,7 +59,7 @@ ex exact(const DecimalNumber& number) {
 
 }  // namespace
 
-Oracle::Oracle(Assumption assumption, const Given& given)
+Oracle::Oracle(LawsAssumed assumption, const Given& given)
     : t_("t"), small_("epsilon"), order_(given.small.order) {
   const auto name = [this](const std::string& word) { return free_.emplace_back(word); };
   const auto named = [&](const std::string& word) {
@@ -95,13 +95,13 @@ Oracle::Oracle(Assumption assumption, const Given& given)
   dF_ = named("dF");
   ddw_ = named("ddw");
   switch (assumption) {
-    case Assumption::identity:
+    case LawsAssumed::identity:
       dw_ = named("dw");
       if (!given.sets_torque()) N_ = named("N");
       if (!given.sets(Quantity::F)) F_ = named("F");
       for (const Setting& setting : given.settings) set_rates(setting);
       break;
-    case Assumption::motion:
+    case LawsAssumed::motion:
       if (given.sets_torque()) {
         for (std::size_t i = 0; i < 3; ++i) dw_[i] = (N_[i] - gyroscopic()[i]) / I_[i];
         for (const Setting& setting : given.settings) set_rates(setting);
@@ -120,7 +120,7 @@ Oracle::Oracle(Assumption assumption, const Given& given)
         dF_ = scaled(m_, ddv_);
       }
       break;
-    case Assumption::free:
+    case LawsAssumed::free:
       for (std::size_t i = 0; i < 3; ++i) dw_[i] = -gyroscopic()[i] / I_[i];
       for (std::size_t i = 0; i < 3; ++i) ddw_[i] = -rate_of_gyroscopic()[i] / I_[i];
       N_ = dN_ = {0, 0, 0};

@@ -35,7 +35,7 @@ class Oracle {
 
   /// What is given is put in, one after the other; a torque that is given makes the motion, not the other way
   /// round.
-  explicit Oracle(Assumption assumption, const Given& given = {});
+  explicit Oracle(LawsAssumed assumption, const Given& given = {});
 
   Side side(const Expression& expression) const;
 

@@ -9,12 +9,12 @@
 namespace polhode::oracle {
 namespace {
 
-Decision decision(Assumption assumption, const char* left, const char* right) {
+Decision decision(LawsAssumed assumption, const char* left, const char* right) {
   return Oracle(assumption).compare(equality_from(left, right).value());
 }
 
 TEST(Oracle, KnowsWhatHoldsWhen) {
-  using A = Assumption;
+  using A = LawsAssumed;
   constexpr auto kSame = Decision::same, kDifferent = Decision::different;
   EXPECT_EQ(decision(A::identity, "ddt(A)", "star(A) + cross(omega, A)"), kSame);
   EXPECT_EQ(decision(A::identity, "ddt(A)", "star(A) - cross(omega, A)"), kDifferent);
@@ -35,7 +35,7 @@ TEST(Oracle, KnowsWhatHoldsWhen) {
 }
 
 TEST(Oracle, DividesWhereItCan) {
-  constexpr auto kAny = Assumption::identity;
+  constexpr auto kAny = LawsAssumed::identity;
   EXPECT_EQ(decision(kAny, "T/T", "1"), Decision::same);
   EXPECT_EQ(decision(kAny, "1/(w1 + w2) + 1/(w1 - w2)", "2*w1/(w1^2 - w2^2)"), Decision::same);
   EXPECT_EQ(decision(kAny, "1/(w1 + w2)", "1/w1 + 1/w2"), Decision::different);

@@ -11,12 +11,12 @@ using Holes = std::map<std::string, Term>;
 /// from → to. Unless the law is `literal`, A, v and F stand for any vectors and m, Jxx and Jyy for any
 /// scalars; those that `from` does not name are made up.
 struct Law {
-  Assumption assumption;
+  LawsAssumed assumption;
   bool literal;
   Term from, to;
 };
 
-constexpr auto kAlways = Assumption::identity;
+constexpr auto kAlways = LawsAssumed::identity;
 
 std::vector<Law> laws() {
   struct Text {
@@ -135,14 +135,14 @@ std::vector<Law> laws() {
       {"ddt(T)", "ddt(norm2(L))"},
   };
   std::vector<Law> laws;
-  const auto take = [&laws](const std::vector<Text>& texts, Assumption assumption, bool literal) {
+  const auto take = [&laws](const std::vector<Text>& texts, LawsAssumed assumption, bool literal) {
     for (const Text& law : texts)
       laws.push_back({assumption, literal, term_from(law.from), term_from(law.to)});
   };
   take(kGeneral, kAlways, false);
   take(kNamed, kAlways, true);
-  take(kMotion, Assumption::motion, true);
-  take(kFree, Assumption::free, true);
+  take(kMotion, LawsAssumed::motion, true);
+  take(kFree, LawsAssumed::free, true);
   return laws;
 }
 
@@ -195,7 +195,7 @@ Term Rewriter::any(bool vector, int depth, bool rates) {
   return term;
 }
 
-Term Rewriter::rewritten(Term term, Assumption assumption) {
+Term Rewriter::rewritten(Term term, LawsAssumed assumption) {
   static const std::vector<Law> kLaws = laws();
   struct Choice {
     Term* spot;

@@ -19,7 +19,7 @@ class Rewriter {
 
   /// The same once more, one law used in one place: one that holds always, or under the assumption. May be
   /// something that cannot be read: a rate of what has none.
-  Term rewritten(Term term, Assumption assumption);
+  Term rewritten(Term term, LawsAssumed assumption);
 
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
 

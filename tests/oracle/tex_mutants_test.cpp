@@ -119,7 +119,7 @@ class TexMutants : public ::testing::Test {
       ++refused_;
       return;
     }
-    const Assumption assumption = assumption_of(claim.kind, claim.given);
+    const LawsAssumed assumption = laws_assumed_by(claim.kind, claim.given);
     for (const ClaimLine& line : *lines) {
       if (line.conclusion || line.relation != Relation::equal) continue;
       const Equality& sides = line.equality;
@@ -152,7 +152,7 @@ class TexMutants : public ::testing::Test {
         }
   }
 
-  const Oracle& oracle(Assumption assumption, const Given& given) {
+  const Oracle& oracle(LawsAssumed assumption, const Given& given) {
     std::string name = std::to_string(static_cast<int>(assumption));
     for (const Setting& setting : given.settings) name += ";" + setting.text;
     auto& one = oracles_[name];
@@ -190,7 +190,7 @@ TEST_F(TexMutants, OfTheLessonsAreRefusedOrReadAsWhatGinacDecidesAlike) {
 struct NearFormula {
   const char* tex;
   std::vector<Quantity> small;
-  Assumption assumption;
+  LawsAssumed assumption;
 };
 
 // What is linearised in lectures, to all orders, with its slips: GiNaC says the same of each.
@@ -199,27 +199,27 @@ TEST_F(TexMutants, OfWhatHoldsToAnOrderAreDecidedAlike) {
   const std::vector<NearFormula> formulas{
       {R"(\ddot\omega_1 \approx \frac{(I_2 - I_3)(I_1 - I_2)}{I_1 I_3}\omega_2^2\omega_1)",
        {Q::w1, Q::w3},
-       Assumption::free},
+       LawsAssumed::free},
       {R"(\ddot\omega_2 \approx -\frac{(I_2 - I_1)(I_3 - I_1)}{I_2 I_3}\omega_1^2\omega_2)",
        {Q::w2, Q::w3},
-       Assumption::free},
-      {R"(I_1\dot\omega_1 \approx (I_2 - I_3)\omega_2\omega_3)", {Q::w1, Q::w3}, Assumption::free},
-      {R"(I_1\dot\omega_1 \approx (I_2 - I_3)\omega_2\omega_3 + N_1)", {Q::w1, Q::w3}, Assumption::motion},
-      {R"(\dot\omega_2 \approx 0)", {Q::w1, Q::w3}, Assumption::free},
-      {R"(2T \approx I_2\omega_2^2)", {Q::w1, Q::w3}, Assumption::identity},
+       LawsAssumed::free},
+      {R"(I_1\dot\omega_1 \approx (I_2 - I_3)\omega_2\omega_3)", {Q::w1, Q::w3}, LawsAssumed::free},
+      {R"(I_1\dot\omega_1 \approx (I_2 - I_3)\omega_2\omega_3 + N_1)", {Q::w1, Q::w3}, LawsAssumed::motion},
+      {R"(\dot\omega_2 \approx 0)", {Q::w1, Q::w3}, LawsAssumed::free},
+      {R"(2T \approx I_2\omega_2^2)", {Q::w1, Q::w3}, LawsAssumed::identity},
       {R"(\mathbf I\cdot\vec\omega \approx I_2\omega_2\hat e_2 + I_1\omega_1\hat e_1 + I_3\omega_3\hat e_3)",
        {Q::w1, Q::w3},
-       Assumption::identity},
+       LawsAssumed::identity},
       {R"(\frac{|\vec L|^2}{2T} \approx I_2 + \frac{I_1(I_1 - I_2)\omega_1^2 + I_3(I_3 - I_2)\omega_3^2}{I_2\omega_2^2})",
        {Q::w1, Q::w3},
-       Assumption::identity},
+       LawsAssumed::identity},
       {R"(\frac{2T - I_2\omega_2^2}{\omega_1} \approx I_1\omega_1 + \frac{I_3\omega_3^2}{\omega_1})",
        {Q::w1, Q::w3},
-       Assumption::identity},
-      {R"(\vec L \approx I_2\omega_2\hat e_2)", {Q::w1, Q::w3}, Assumption::identity},
+       LawsAssumed::identity},
+      {R"(\vec L \approx I_2\omega_2\hat e_2)", {Q::w1, Q::w3}, LawsAssumed::identity},
       {R"(\frac{d}{dt}(\omega_1\omega_3) \approx \frac{I_2 - I_3}{I_1}\omega_2\omega_3^2 + \frac{I_1 - I_2}{I_3}\omega_2\omega_1^2)",
        {Q::w1, Q::w3},
-       Assumption::free},
+       LawsAssumed::free},
   };
   const auto macros = read_lesson(test_lesson(), "a.md").lesson->macros;
   const auto notation = read_lesson(test_lesson(), "a.md").lesson->notation;
@@ -262,7 +262,7 @@ TEST_F(TexMutants, OfWhatHoldsToAnOrderAreDecidedAlike) {
                                  : theirs == Decision::same      ? Verdict::holds
                                  : theirs == Decision::different ? Verdict::fails
                                                                  : Verdict::undecided;
-          const Judgement ours = prover_.settle_to_order(sides, formula.assumption, given);
+          const Judgement ours = prover_.settle_in_series(sides, formula.assumption, given);
           EXPECT_EQ(ours.verdict, wanted) << tex << " to order " << order << " is read as " << sides.left.text
                                           << " = " << sides.right.text << ": " << ours.message;
         }

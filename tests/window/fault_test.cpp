@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// What the window says and does where something is missing, broken or full.
 #include "tests/window/controls.h"
 #include "tests/window/window_test.h"
 

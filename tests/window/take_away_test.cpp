@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// What is saved in the window: a page as `polhode export` makes it, a scene as a lesson, slides; whole or not
+// at all.
 #include "render/image/png.h"
 #include "tests/window/controls.h"
 #include "tests/window/window_test.h"

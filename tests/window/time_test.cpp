@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Time in the window: playing, pausing, going to an instant.
 #include "tests/window/controls.h"
 #include "tests/window/window_test.h"
 

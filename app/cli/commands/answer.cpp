@@ -159,7 +159,7 @@ ExitCode answer(const Options& options) {
 
 }  // namespace
 
-Command answer_command() {
+ProgramCommand answer_command() {
   const auto options = std::make_shared<Options>();
   return {
       "answer",

@@ -114,7 +114,7 @@ ExitCode answers(const Options& options) {
 
 }  // namespace
 
-Command answers_command() {
+ProgramCommand answers_command() {
   const auto options = std::make_shared<Options>();
   return {
       "answers",

@@ -6,23 +6,23 @@
 
 namespace polhode {
 
-Command list_command();
-Command play_command();
-Command export_command();
-Command verify_command();
-Command lint_command();
-Command info_command();
-Command trace_command();
-Command measure_command();
-Command answer_command();
-Command answers_command();
-Command derive_command();
-Command compare_command();
-Command completion_command();
+ProgramCommand list_command();
+ProgramCommand play_command();
+ProgramCommand export_command();
+ProgramCommand verify_command();
+ProgramCommand lint_command();
+ProgramCommand info_command();
+ProgramCommand trace_command();
+ProgramCommand measure_command();
+ProgramCommand answer_command();
+ProgramCommand answers_command();
+ProgramCommand derive_command();
+ProgramCommand compare_command();
+ProgramCommand completion_command();
 /// @param others the names of the other commands, which a shell offers.
-Command help_command(std::vector<std::string> others);
+ProgramCommand help_command(std::vector<std::string> others);
 
 /// All of them, in the order of the help.
-std::vector<Command> program_commands();
+std::vector<ProgramCommand> program_commands();
 
 }  // namespace polhode

@@ -57,7 +57,7 @@ ExitCode compare(const Options& options) {
 
 }  // namespace
 
-Command compare_command() {
+ProgramCommand compare_command() {
   const auto options = std::make_shared<Options>();
   return {"compare",
           "Compare two PNG files by the golden rule",

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode completion: what a shell needs to complete the program's command line.
-#include "app/cli/completion.h"
-
 #include "app/cli/commands/commands.h"
+#include "app/cli/shell_completion.h"
 #include "base/spelling.h"
 
 #include <fmt/format.h>
@@ -26,7 +25,7 @@ ExitCode completion(const std::string& name) {
 
 }  // namespace
 
-Command completion_command() {
+ProgramCommand completion_command() {
   const auto shell = std::make_shared<std::string>();
   return {
       "completion",

@@ -117,7 +117,7 @@ ExitCode derive(const Options& options) {
 
 }  // namespace
 
-Command derive_command() {
+ProgramCommand derive_command() {
   const auto options = std::make_shared<Options>();
   return {"derive",
           "Judge a derivation, line by line from standard input",

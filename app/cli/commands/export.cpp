@@ -356,7 +356,7 @@ ExitCode run_export(const TypedExport& typed) {
 
 }  // namespace
 
-Command export_command() {
+ProgramCommand export_command() {
   const auto typed = std::make_shared<TypedExport>();
   return {
       "export",

@@ -18,9 +18,9 @@ struct Options {
 };
 
 ExitCode help(const Options& options) {
-  const std::vector<Command> commands = program_commands();
+  const std::vector<ProgramCommand> commands = program_commands();
   std::vector<std::string> names;
-  for (const Command& command : commands) names.push_back(command.name);
+  for (const ProgramCommand& command : commands) names.push_back(command.name);
   const auto at = std::find(names.begin(), names.end(), options.command);
   if (!options.command.empty() && at == names.end())
     throw usage(
@@ -38,7 +38,7 @@ ExitCode help(const Options& options) {
 
 }  // namespace
 
-Command help_command(std::vector<std::string> others) {
+ProgramCommand help_command(std::vector<std::string> others) {
   const auto options = std::make_shared<Options>();
   return {"help",
           "Print the help of the program, or of a command",

@@ -71,12 +71,12 @@ StageInfo info_of(const Stage& stage) {
                                   [](const Step& s) { return s.scene != nullptr; });
   if (drawn == stage.steps.rend()) return info;
   info.scenes = facts_of(stage);
-  const SceneModel model = make_model(*drawn->scene, Product::page);
+  const SceneModel model = make_model(*drawn->scene, ModelFor::page);
   info.has_scene = true;
   info.needs = names_of(needs_of(model));
   info.motion = model.motion->method();
   info.why = model.why;
-  info.setup_ns = median_ns(kSetups, [&] { static_cast<void>(make_model(*drawn->scene, Product::page)); });
+  info.setup_ns = median_ns(kSetups, [&] { static_cast<void>(make_model(*drawn->scene, ModelFor::page)); });
   info.call_ns = call_cost_ns(model);
   info.horizon = horizon_of(problem_of(*drawn->scene));
   return info;
@@ -277,7 +277,7 @@ ExitCode show_info(const std::string& name, bool json) {
 
 }  // namespace
 
-Command info_command() {
+ProgramCommand info_command() {
   struct Options {
     std::string lesson;
     bool json = false;

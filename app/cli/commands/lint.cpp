@@ -8,6 +8,7 @@
 #include "base/printable.h"
 #include "base/spelling.h"
 #include "lessons/reader/checks/claim_check.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "lessons/reader/checks/question_check.h"
 #include "lessons/reader/checks/type_check.h"
@@ -184,7 +185,7 @@ ExitCode lint(const std::vector<std::string>& names, bool json) {
 
 }  // namespace
 
-Command lint_command() {
+ProgramCommand lint_command() {
   struct Options {
     std::vector<std::string> files;
     std::string explain;

@@ -5,6 +5,7 @@
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
 #include "base/printable.h"
+#include "lessons/reader/reader.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -69,7 +70,7 @@ ExitCode list(bool json) {
 
 }  // namespace
 
-Command list_command() {
+ProgramCommand list_command() {
   const auto json = std::make_shared<bool>(false);
   return {"list",
           "List the lessons",

@@ -16,6 +16,7 @@
 #include "base/printable.h"
 #include "lessons/reader/checks/claim_check.h"
 #include "lessons/reader/checks/lint_budget.h"
+#include "lessons/reader/reader.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +64,7 @@ class LessonWatch {
     sha256_ = (*loaded)->sha256;
     const auto edited = edited_step(session.lesson(), (*loaded)->lesson);
     session.replace_lesson(*loaded);
-    if (edited) session.go_to({edited->stage, edited->step});
+    if (edited) session.go_to(*edited);
     errors = false_claims((*loaded)->lesson);
   }
 
@@ -220,7 +221,7 @@ ExitCode play(Options options) {
 
 }  // namespace
 
-Command play_command() {
+ProgramCommand play_command() {
   const auto options = std::make_shared<Options>();
   return {
       "play",

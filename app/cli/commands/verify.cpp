@@ -80,7 +80,7 @@ ExitCode verify(const Options& options) {
 
 }  // namespace
 
-Command verify_command() {
+ProgramCommand verify_command() {
   const auto options = std::make_shared<Options>();
   return {
       "verify",

@@ -178,9 +178,9 @@ ExitCode measure(const TypedOptions& typed) {
 
 }  // namespace
 
-Command measure_command() {
+ProgramCommand measure_command() {
   const auto typed = std::make_shared<TypedOptions>();
-  Command command = {
+  ProgramCommand command = {
       "measure",
       "Speed against accuracy: of methods, or of pictures",
       {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " ", false, offer_lessons()},

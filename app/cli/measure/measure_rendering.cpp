@@ -70,7 +70,7 @@ class FrameMeter {
   /// points of the curves.
   Figure figure(double chord_tolerance) const {
     const double aspect = static_cast<double>(request_.size.width) / request_.size.height;
-    Figure made = make_figure(make_model(request_.scene, Product::figure, {}, chord_tolerance),
+    Figure made = make_figure(make_model(request_.scene, ModelFor::figure, {}, chord_tolerance),
                               request_.scene.at_s, aspect);
     for (Pane& pane : made.panes) pane.list.labels.clear();
     return made;

@@ -205,9 +205,9 @@ ExitCode trace(const TypedOptions& typed) {
 
 }  // namespace
 
-Command trace_command() {
+ProgramCommand trace_command() {
   const auto typed = std::make_shared<TypedOptions>();
-  Command command = {
+  ProgramCommand command = {
       "trace",
       "Print the numbers of a motion as CSV or JSON",
       {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " ", false, offer_lessons()},

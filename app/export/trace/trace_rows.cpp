@@ -54,8 +54,6 @@ constexpr std::array kColumns = std::to_array<TraceColumn>({
 
 }  // namespace
 
-std::span<const TraceColumn> all_trace_columns() { return kColumns; }
-
 TraceColumns usual_trace_columns() { return {kColumns.begin(), kColumns.begin() + kUsualColumns}; }
 
 Result<TraceColumns> trace_columns_named(std::string_view names) {

@@ -5,7 +5,6 @@
 #include "base/result.h"
 #include "physics/body/problem.h"
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +22,6 @@ using TraceRow = std::vector<double>;
 /// in kg m²/s, space axes: those are given where nobody chooses. Besides them theta_deg phi_deg psi_deg,
 /// Euler's angles z-x-z in degrees, φ and ψ from −180 to 180; e3x e3y e3z, axis 3 in space; V, potential
 /// energy under gravity, J, zero at the height of the pivot; E = T + V.
-std::span<const TraceColumn> all_trace_columns();
 TraceColumns usual_trace_columns();
 /// Of names between commas. The error names the unknown one, and those that are known.
 Result<TraceColumns> trace_columns_named(std::string_view names);

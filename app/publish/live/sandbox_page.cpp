@@ -2,12 +2,12 @@
 #include "app/publish/live/sandbox_page.h"
 
 #include "app/export/picture_metadata.h"
-#include "app/page/loaded_lesson.h"
 #include "app/publish/html_frame.h"
 #include "app/publish/html_text.h"
 #include "app/publish/live/live_assets.h"
 #include "app/publish/text_edition/reader_figure.h"
 #include "app/publish/text_edition/reader_style.h"
+#include "lessons/reader/checks/lesson_check.h"
 
 #include <fmt/format.h>
 

@@ -8,6 +8,7 @@
 
 #include "app/page/loaded_lesson.h"
 #include "app/publish/site/site_index.h"
+#include "physics/effort.h"
 
 #include <filesystem>
 #include <functional>

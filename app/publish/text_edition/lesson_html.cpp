@@ -122,7 +122,7 @@ std::string LessonHtml::address_of(std::string_view link) const {
 }
 
 std::string LessonHtml::formula(const Math& math, std::string_view tex, bool display) const {
-  if (const std::string link = reference_alone(math); !link.empty()) return link;
+  if (std::string link = reference_alone(math); !link.empty()) return link;
   const auto class_of = [this](std::string_view name) {
     const auto found = lesson_.symbols.find(std::string(name));
     return found == lesson_.symbols.end() ? "" : class_of_role(found->second.role);

@@ -20,7 +20,7 @@ Background ground_of(Theme theme) { return {Background::Kind::color, colors_of(t
 
 ReaderFigures::ReaderFigures(const Lesson& lesson, const SpeechText& speech, Renderer& renderer,
                              const Look& look, const Effort& effort)
-    : lesson_(lesson), speech_(speech), renderer_(renderer), look_(look), models_(Product::page, effort) {}
+    : lesson_(lesson), speech_(speech), renderer_(renderer), look_(look), models_(ModelFor::page, effort) {}
 
 Outcome<ReaderPicture> ReaderFigures::moment(const Stage& stage, int step, double t_s, Size size) {
   const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];

@@ -10,6 +10,7 @@
 #include "app/publish/text_edition/question_html.h"
 #include "app/publish/text_edition/reader_assets.h"
 #include "app/publish/text_edition/reader_style.h"
+#include "base/ascii.h"
 #include "base/files/left_behind.h"
 #include "base/interrupt.h"
 #include "lessons/reader/markdown/footnotes.h"
@@ -238,7 +239,7 @@ class ReaderText {
     const std::string_view comma = row.note.empty() || row.example.empty() ? "" : ", ";
     std::string html = fmt::format("<div class=\"verdict {}\">", class_of(row.certainty));
     if (!row.claimed.empty()) {  // the verdict is about that, and stands below it
-      html += "<p>Claimed:</p>\n<ul class=\"claimed\">\n";
+      html += "<p>" + capitalized(row.claimed_is) + ":</p>\n<ul class=\"claimed\">\n";
       for (const std::string& tex : row.claimed)
         html += "<li><div class=\"formula\">" + html_.line('$' + tex + '$') + "</div></li>\n";
       html += "</ul>\n";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/saved/bookmark.h"
 
+#include "lessons/reader/reader.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

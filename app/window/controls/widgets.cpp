@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/controls/widgets.h"
 
+#include "base/ascii.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 namespace polhode {
@@ -82,9 +83,7 @@ void type_at_end() {
 std::string told(Command command) {
   for (const CommandFacts& facts : all_commands()) {
     if (facts.command != command) continue;
-    std::string words(facts.does);
-    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    return fmt::format("{} ({})", words, facts.keys);
+    return fmt::format("{} ({})", capitalized(facts.does), facts.keys);
   }
   return {};
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/session/method_words.h"
 #include "app/session/symbol_note.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"

@@ -20,10 +20,6 @@ const char* title_of(Panel panel) {
   return "";
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether the panel that is open has something to be typed.
 bool has_text_field(const LessonSession& session) {
   if (session.panel == Panel::save) return true;

@@ -20,7 +20,7 @@ class OutlinePanel {
  private:
   void choose_for_class(PanelContext& context);
 
-  std::optional<Place> scrolled_to_;
+  std::optional<StepPlace> scrolled_to_;
   bool chooses_ = false;  ///< stages for a class are being chosen
 };
 
@@ -129,13 +129,15 @@ class Panels {
   ShowPanel show_;
   QuestionsPanel questions_;
   SavePanel save_;
-  std::pair<Panel, Place> shown_{};  ///< panel and place of the frame before
-  std::string refusal_;              ///< why the last edit was not made; empty: it was
+  std::pair<Panel, StepPlace> shown_{};  ///< panel and place of the frame before
+  std::string refusal_;                  ///< why the last edit was not made; empty: it was
   bool has_focus_ = false;
   bool takes_keys_ = false;
   bool shows_focus_ = false;  ///< the next frame gives it to a control
   int steps_ = 0;             ///< of the focus, in the next frame
-  int beside_ = 0;            ///< it was asked for what is beside this:
+  /// 1 or -1: the frame before asked for the control to the right or left of the one of id `stepped_from_`;
+  /// if the focus is still there, the next is above or below it. 0: nothing was asked for.
+  int beside_ = 0;
   unsigned stepped_from_ = 0;
   bool awaits_text_ = false;
 };

@@ -60,7 +60,7 @@ void draw_summary(PanelContext& context) {
   }
   if (!open.empty()) {
     heading("Not yet answered right");
-    std::optional<Place> chosen;
+    std::optional<StepPlace> chosen;
     for (std::size_t i = 0; i < open.size();) {
       const StepPlace first = open[i].place;
       std::size_t count = 0;
@@ -68,7 +68,7 @@ void draw_summary(PanelContext& context) {
       const Stage& stage = session.lesson().stages[first.stage];
       RichText title = stage.title_text;
       if (count > 1) title = in_a_row(std::move(title), words_text(fmt::format(" ({} questions)", count)));
-      if (context.texts.row(stage.id.c_str(), title)) chosen = Place{first.stage, first.step};
+      if (context.texts.row(stage.id.c_str(), title)) chosen = first;
     }
     if (chosen) session.go_to(*chosen);
   }

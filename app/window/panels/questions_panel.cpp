@@ -222,19 +222,18 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
 /// Those of the stage that stand on steps before this one, to go back to.
 void QuestionsPanel::draw_earlier(PanelContext& context, bool is_alone) {
   LessonSession& session = context.session;
-  const Place here = session.place();
+  const StepPlace here = session.place();
   std::vector<PlacedAsk> earlier = questions_of_stage(session.lesson(), here.stage);
   std::erase_if(earlier, [&](const PlacedAsk& question) { return question.place.step >= here.step; });
   if (is_alone) quiet_words("There is no question on this step.");
   if (earlier.empty()) return;
   heading("Earlier in this stage");
-  std::optional<Place> chosen;
+  std::optional<StepPlace> chosen;
   for (const PlacedAsk& question : earlier) {
     const std::string opening =
         fmt::format("Step {}, {}: ", question.place.step + 1, standing_of(session, question));
     const RichText words = opened_by(opening, {question.ask->prompt_text.front()});
-    if (context.texts.row(question.name.c_str(), words, TextInk::quiet))
-      chosen = Place{question.place.stage, question.place.step};
+    if (context.texts.row(question.name.c_str(), words, TextInk::quiet)) chosen = question.place;
   }
   if (chosen) session.go_to(*chosen);
 }

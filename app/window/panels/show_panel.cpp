@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/session/figure_interaction.h"
+#include "app/session/camera_moves.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
 #include "render/scene/model/scene_needs.h"

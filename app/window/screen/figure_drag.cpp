@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/screen/figure_drag.h"
 
-#include "app/session/figure_interaction.h"
+#include "app/session/camera_moves.h"
 
 #include <imgui.h>
 

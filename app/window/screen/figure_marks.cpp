@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/screen/figure_marks.h"
 
-#include "app/session/figure_interaction.h"
+#include "app/session/omega_drag.h"
 #include "app/window/controls/widgets.h"
 #include "lessons/reader/questions/state_task.h"
 

@@ -47,7 +47,7 @@ class PageView {
   /// What the layout of the text depends on.
   struct TextKey {
     std::shared_ptr<const LoadedLesson> loaded;
-    Place place;
+    StepPlace place;
     unsigned model_number = 0;
     Size size;
     double covered = 0;  ///< of a page without a figure, whose text stands aside

@@ -467,7 +467,7 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
 /// follow.
 bool Screen::follow(LessonSession& session, const std::string& link) {
   if (const auto place = target_of(session.lesson(), link)) {
-    session.go_to({place->stage, place->step});
+    session.go_to(*place);
     return true;
   }
   if (link.find("://") == link.npos) return false;

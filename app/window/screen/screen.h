@@ -143,8 +143,8 @@ class Screen {
   double clock_s_ = 0, page_s_ = 0, frame_s_ = 0, pointed_s_ = 0;  ///< pointed_s_: the pointer moved
   int frames_of_tooltip_ = 0;  ///< since the pointer has rested for as long as a tooltip waits
   bool is_full_ = true, was_moving_ = false;
-  Place shown_place_{};
-  std::optional<Place> held_back_{};                           ///< where one was asked to answer first
+  StepPlace shown_place_{};
+  std::optional<StepPlace> held_back_{};                       ///< where one was asked to answer first
   bool panel_takes_focus_ = false;                             ///< it was opened by a key
   std::function<std::vector<LessonProgress>()> find_lessons_;  ///< null: asked already, or there are none
   std::vector<LessonProgress> lessons_;

@@ -99,7 +99,7 @@ bool Screen::walks_by_click(LessonSession& session, const Vec2& at, bool is_free
 
 /// Who has never been here is told how to begin: until something is done.
 void Screen::draw_invitation(const LessonSession& session) {
-  const bool is_new = session.visited().size() == 1 && session.place() == Place{} &&
+  const bool is_new = session.visited().size() == 1 && session.place() == StepPlace{} &&
                       session.edits().empty() && session.answers().empty();
   const bool is_still = session.has_scene() && !session.is_playing() && !session.is_presenting() &&
                         session.panel == Panel::none && session.t_s() == still_time_s(session.lesson_scene());

@@ -54,7 +54,7 @@ class ScreenOfSpeaker {
   std::unique_ptr<LessonSession> next_;  ///< at the step after the present one
   std::optional<ControlSizes> sizes_;
   std::optional<Theme> theme_;
-  std::optional<Place> outlined_;  ///< where the outline was scrolled to
+  std::optional<StepPlace> outlined_;  ///< where the outline was scrolled to
   double clock_s_ = 0, begun_s_ = 0;
 };
 

@@ -32,9 +32,9 @@ AnswerJudgement unreadable(std::string reason, std::string hint = {}, int column
   return judgement;
 }
 
-Assumption assumption_named(const std::string& modulo) {
-  if (modulo == "free") return Assumption::free;
-  return modulo == "motion" ? Assumption::motion : Assumption::identity;
+LawsAssumed assumption_named(const std::string& modulo) {
+  if (modulo == "free") return LawsAssumed::free;
+  return modulo == "motion" ? LawsAssumed::motion : LawsAssumed::identity;
 }
 
 /// An answer that reads and has the right type, against the lesson's.
@@ -56,8 +56,8 @@ class ExpressionJudge {
   }
 
  private:
-  bool equals(const Expression& variant, Assumption assumption) const {
-    return prover_.settle({variant, *question_.expression}, assumption, question_.given) == Verdict::holds;
+  bool equals(const Expression& variant, LawsAssumed laws) const {
+    return prover_.settle({variant, *question_.expression}, laws, question_.given) == Verdict::holds;
   }
   bool equals(const Expression& variant) const { return equals(variant, assumption_); }
 
@@ -83,10 +83,10 @@ class ExpressionJudge {
     if (const auto found = one_term()) return *found;
     if (const auto found = factor()) return *found;
     if (const auto found = indices()) return *found;
-    if (assumption_ == Assumption::identity && equals(answer_, Assumption::motion))
+    if (assumption_ == LawsAssumed::identity && equals(answer_, LawsAssumed::motion))
       return wrong("law", "this follows from the equations of motion; here it has to hold whatever ω̇ is");
-    if (assumption_ != Assumption::free && !question_.given.sets_torque() && !has_torque(answer_) &&
-        !vanishes_without_torque() && equals(answer_, Assumption::free))
+    if (assumption_ != LawsAssumed::free && !question_.given.sets_torque() && !has_torque(answer_) &&
+        !vanishes_without_torque() && equals(answer_, LawsAssumed::free))
       return wrong("torque", "this is right without torque only");
     return not_equal();
   }
@@ -100,7 +100,7 @@ class ExpressionJudge {
 
   /// Then that an answer is right without torque says nothing.
   bool vanishes_without_torque() const {
-    return prover_.settle({*question_.expression, zero_expression()}, Assumption::free, question_.given) ==
+    return prover_.settle({*question_.expression, zero_expression()}, LawsAssumed::free, question_.given) ==
            Verdict::holds;
   }
 
@@ -142,7 +142,7 @@ class ExpressionJudge {
   const Expression& answer_;
   const Question& question_;
   const Prover& prover_;
-  Assumption assumption_;
+  LawsAssumed assumption_;
 };
 
 /// The choices that a text names, from 1, by letters or numbers; nothing if it names anything else.
@@ -224,8 +224,8 @@ AnswerJudgement judge_expression(const Question& question, const Expression& ans
   if (answer.uses(Operation::norm))
     return unreadable("a length is a root, and a proof has none", "write |a|^2 or norm2(a), its square");
   if (!is_rational(answer)) return unreadable("a proof has no roots and no angles", "write it without them");
-  if (prover.settle({answer, answer}, Assumption::identity) != Verdict::holds)
-    return prover.is_defined({answer, answer}, Assumption::identity)
+  if (prover.settle({answer, answer}, LawsAssumed::identity) != Verdict::holds)
+    return prover.is_defined({answer, answer}, LawsAssumed::identity)
                ? unreadable("its numbers become too large to be judged", "write it with smaller powers")
                : unreadable("this is nowhere defined", "is something divided by 0?");
   if (!fit(answer.type(), question.expression->type()))

@@ -187,10 +187,6 @@ class DimensionReader {
   std::optional<DimensionFault> fault_;
 };
 
-}  // namespace
-
-namespace {
-
 template <class Find>
 std::optional<ScaledUnit> read_unit(std::string_view unit, const Find& find) {
   ScaledUnit read{kNumber, 1};

@@ -7,8 +7,8 @@
 // not assumed. Rates are carried along as far as the expression's order needs them.
 #pragma once
 
-#include "lessons/claims/answers/sized_number.h"
 #include "lessons/claims/expressions/expression.h"
+#include "lessons/claims/expressions/sized_number.h"
 #include "lessons/claims/expressions/vocabulary.h"
 #include "lessons/claims/proof/prime_field.h"
 
@@ -73,18 +73,18 @@ Jet<N, Order> inverse(const Jet<N, Order>& a) {
   return b;
 }
 
-/// Components; of a scalar the first.
+/// The components of a vector, each with its rates; a scalar is the first.
 template <class N, int Order = kMaxOrder>
-using Triple = std::array<Jet<N, Order>, 3>;
+using ComponentJets = std::array<Jet<N, Order>, 3>;
 
 /// All that can vary. R takes body components to space components; columns are the body axes.
 template <class N>
 struct ClaimState {
-  std::array<Triple<N>, 3> R;  ///< R[row][column]
-  std::array<N, 3> I;          ///< principal moments
-  std::array<N, 6> J;          ///< Jxx Jxy Jxz Jyy Jyz Jzz on the body axes
-  Triple<N> w_B, v_S, A_S;     ///< with their rates
-  Triple<N> N_B, F_S;          ///< with their first rates
+  std::array<ComponentJets<N>, 3> R;  ///< R[row][column]
+  std::array<N, 3> I;                 ///< principal moments
+  std::array<N, 6> J;                 ///< Jxx Jxy Jxz Jyy Jyz Jzz on the body axes
+  ComponentJets<N> w_B, v_S, A_S;     ///< with their rates
+  ComponentJets<N> N_B, F_S;          ///< with their first rates
   N m;
   N h, k;  ///< any numbers
   /// The lesson's constants; nothing: each is what the lesson says.
@@ -108,7 +108,7 @@ inline SizedNumber decimal<SizedNumber>(const DecimalNumber& number) {
 /// Of other numbers there is nothing to say.
 template <class N, int Order>
 struct VectorSizes {
-  using Vector = Triple<N, Order>;
+  using Vector = ComponentJets<N, Order>;
   static void turned(Vector&, const Vector&, const std::array<Vector, 3>&) {}
   static void mapped(Vector&, const Vector&) {}
   static void multiplied(Jet<N, Order>&, const Vector&, const Vector&) {}
@@ -116,7 +116,7 @@ struct VectorSizes {
 
 template <int Order>
 struct VectorSizes<SizedNumber, Order> {
-  using Vector = Triple<SizedNumber, Order>;
+  using Vector = ComponentJets<SizedNumber, Order>;
 
   /// y = R x, or Rᵀx.
   static void turned(Vector& y, const Vector& x, const std::array<Vector, 3>& R) {
@@ -219,7 +219,7 @@ class Evaluation {
   using Number = Jet<N, Order>;
 
  public:
-  using Vector = Triple<N, Order>;
+  using Vector = ComponentJets<N, Order>;
 
   explicit Evaluation(const ClaimState<N>& state)
       : s_(state), R_{cut(s_.R[0]), cut(s_.R[1]), cut(s_.R[2])}, w_B_(cut(s_.w_B)), N_B_(cut(s_.N_B)) {
@@ -250,7 +250,7 @@ class Evaluation {
  private:
   static Number constant(const N& value) { return {value, N(0)}; }
   /// Without what is not needed of the state's rates.
-  static Vector cut(const Triple<N>& x) { return {Number(x[0]), Number(x[1]), Number(x[2])}; }
+  static Vector cut(const ComponentJets<N>& x) { return {Number(x[0]), Number(x[1]), Number(x[2])}; }
   static Vector scalar(const Number& value) { return {value, Number(), Number()}; }
 
   Vector to_space(const Vector& x_B) const {

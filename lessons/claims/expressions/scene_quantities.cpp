@@ -41,7 +41,7 @@ SceneQuantity scene_quantity(Expression expression, std::string tex, std::string
   quantity.value = [shared, of_rates = has_rates(*shared)](
                        const SceneModel& model, double t_s,
                        const RigidBodyState& state) -> std::optional<Vec3> {
-    if (of_rates && slips(model.scene)) return std::nullopt;
+    if (of_rates && loses_energy_inside(model.scene)) return std::nullopt;
     const auto live = of_rates ? live_state(model, t_s) : still_state(model, t_s, state);
     const auto now = live ? live_quantity(*shared, *live, View::space) : std::nullopt;
     if (!now) return std::nullopt;
@@ -56,7 +56,7 @@ FunctionOfConstant function_of_constant(Expression expression, int variable) {
   function.values = [shared, variable, of_rates = has_rates(*shared)](const SceneModel& model,
                                                                       const std::vector<double>& x) {
     std::vector<double> values(x.size(), std::numeric_limits<double>::quiet_NaN());
-    if (of_rates && slips(model.scene)) return values;
+    if (of_rates && loses_energy_inside(model.scene)) return values;
     const auto start = of_rates ? live_state(model, 0) : still_state(model, 0, model.motion->at(0));
     if (!start) return values;
     Expression at_x = *shared;

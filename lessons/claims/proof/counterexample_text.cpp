@@ -27,7 +27,7 @@ std::string list_text(const Numbers& numbers, const AreSmall& are_small = {}) {
   return text + ")";
 }
 
-std::array<SizedNumber, 3> rates_of(const Triple<SizedNumber>& x) {
+std::array<SizedNumber, 3> rates_of(const ComponentJets<SizedNumber>& x) {
   return {x[0].rate, x[1].rate, x[2].rate};
 }
 
@@ -127,7 +127,7 @@ StateText text_of(const StateNumbers<SizedNumber>& s, const ClaimState<SizedNumb
   return text.plain.empty() ? StateText{"any state", "any state"} : text;
 }
 
-std::string value_text(const Triple<SizedNumber, 0>& value, ExpressionType type) {
+std::string value_text(const ComponentJets<SizedNumber, 0>& value, ExpressionType type) {
   if (type == ExpressionType::zero) return "0";
   if (type == ExpressionType::scalar) return number_text(value[0].value.value);
   return list_text(std::array{value[0].value.value, value[1].value.value, value[2].value.value});

@@ -34,7 +34,7 @@ StateText text_of(const StateNumbers<SizedNumber>& numbers, const ClaimState<Siz
                   const Dependence& depends, const SmallQuantities& small);
 
 /// A side's value.
-std::string value_text(const Triple<SizedNumber, 0>& value, ExpressionType type);
+std::string value_text(const ComponentJets<SizedNumber, 0>& value, ExpressionType type);
 
 /// A side's terms up to ε^last: "2 − 0.5ε".
 std::string text_of(const Expansion<Ratio>& side, ExpressionType type, int last);

@@ -130,16 +130,16 @@ void add_given(Dependence& d, const Given& given) {
 
 }  // namespace
 
-Dependence dependence_of(const Equality& equality, Assumption assumption, const Given& given) {
+Dependence dependence_of(const Equality& equality, LawsAssumed laws, const Given& given) {
   Dependence d = dependence_of(equality.left);
   d |= dependence_of(equality.right);
-  if (assumption != Assumption::identity) {
+  if (laws != LawsAssumed::identity) {
     if (d.ddw) d.dw = d.dN = true;
     if (d.ddv) d.dF = d.m = true;
     if (d.dw) d.I = d.w = d.N = true;
     if (d.dv) d.F = d.m = true;
     d.dw = d.ddw = d.dv = d.ddv = false;
-    if (assumption == Assumption::free) d.no_torque = d.N || d.dN, d.N = d.dN = false;
+    if (laws == LawsAssumed::free) d.no_torque = d.N || d.dN, d.N = d.dN = false;
   }
   for (const Bound& bound : given.bounds) {
     d |= dependence_of(bound.sides.left);

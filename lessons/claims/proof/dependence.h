@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an equality depends on: only that is tried, and said in a counterexample. Internal to lessons/claims/.
+// What an equality depends on. A search for counterexamples varies these quantities alone, and a
+// counterexample names no others. Internal to lessons/claims/.
 #pragma once
 
 #include "lessons/claims/proof/proof.h"
@@ -29,7 +30,7 @@ struct Dependence {
   }
   static const std::array<bool Dependence::*, 19> kParts;
 };
-/// Under the assumption, and of what is given; there too what it is set to.
-Dependence dependence_of(const Equality& equality, Assumption assumption, const Given& given);
+/// Under these laws, and of what is given; there too what it is set to.
+Dependence dependence_of(const Equality& equality, LawsAssumed laws, const Given& given);
 
 }  // namespace polhode

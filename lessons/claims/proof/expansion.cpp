@@ -33,8 +33,8 @@ StateNumbers<PowerSeries<N>> expanded(StateNumbers<N> numbers, const SmallQuanti
 
 template <class N>
 std::optional<ExpandedSides<N>> expanded_sides(const Equality& sides, const StateNumbers<N>& numbers,
-                                               Assumption assumption, const Given& given) {
-  const auto state = state_of(expanded(numbers, given.small), assumption, given);
+                                               LawsAssumed laws, const Given& given) {
+  const auto state = state_of(expanded(numbers, given.small), laws, given);
   if (!state) return std::nullopt;
   const auto left = value_in(*state, sides.left), right = value_in(*state, sides.right);
   if (!left || !right) return std::nullopt;
@@ -64,14 +64,14 @@ OrderComparison compare_to_order(const ExpandedSides<N>& sides, int order) {
 
 template std::optional<ExpandedSides<FieldElement>> expanded_sides(const Equality&,
                                                                    const StateNumbers<FieldElement>&,
-                                                                   Assumption, const Given&);
+                                                                   LawsAssumed, const Given&);
 template OrderComparison compare_to_order(const ExpandedSides<FieldElement>&, int);
 template std::optional<ExpandedSides<WideFieldElement>> expanded_sides(const Equality&,
                                                                        const StateNumbers<WideFieldElement>&,
-                                                                       Assumption, const Given&);
+                                                                       LawsAssumed, const Given&);
 template OrderComparison compare_to_order(const ExpandedSides<WideFieldElement>&, int);
 template std::optional<ExpandedSides<Ratio>> expanded_sides(const Equality&, const StateNumbers<Ratio>&,
-                                                            Assumption, const Given&);
+                                                            LawsAssumed, const Given&);
 template OrderComparison compare_to_order(const ExpandedSides<Ratio>&, int);
 
 }  // namespace polhode

@@ -21,12 +21,12 @@ struct ExpandedSides {
   Expansion<N> left, right;
 };
 
-/// In the state of these numbers, under the assumption and with what is given put in, where each quantity w
+/// In the state of these numbers, under these laws and with what is given put in, where each quantity w
 /// that is small is ε w. Nothing where a side is not defined: something is divided by 0, or by what is not
 /// known to be anything else.
 template <class N>
 std::optional<ExpandedSides<N>> expanded_sides(const Equality& sides, const StateNumbers<N>& numbers,
-                                               Assumption assumption, const Given& given);
+                                               LawsAssumed laws, const Given& given);
 
 /// How two sides compare through ε^order.
 struct OrderComparison {

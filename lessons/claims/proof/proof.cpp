@@ -7,7 +7,7 @@
 #include "lessons/claims/proof/counterexample_text.h"
 #include "lessons/claims/proof/expansion.h"
 #include "lessons/claims/proof/signs.h"
-#include "lessons/claims/proof/small_states.h"
+#include "lessons/claims/proof/whole_number_states.h"
 
 #include <algorithm>
 #include <array>
@@ -158,33 +158,34 @@ Judgement undecided() {
           {}};
 }
 
-/// What else could have been meant by an equality that fails under an assumption.
-std::string weaker_kind(const Equality& failing, Assumption failed, const Prover& prover,
+/// What else could have been meant by an equality that fails under these laws.
+std::string weaker_kind(const Equality& failing, LawsAssumed failed, const Prover& prover,
                         const Given& given) {
   const Equality equality = with_lengths_squared(failing);  // as a whole: below each side is looked at alone
-  if (failed == Assumption::identity && prover.settle(equality, Assumption::motion, given) == Verdict::holds)
+  if (failed == LawsAssumed::identity &&
+      prover.settle(equality, LawsAssumed::motion, given) == Verdict::holds)
     return "it follows from the equations of motion: its kind is motion";
   if (given.sets_torque()) return "";
   const bool both_vanish =
       equality.right.type() != ExpressionType::zero &&
-      prover.settle({equality.right, zero_expression()}, Assumption::free, given) == Verdict::holds;
-  if (failed != Assumption::free && !both_vanish &&
-      prover.settle(equality, Assumption::free, given) == Verdict::holds)
+      prover.settle({equality.right, zero_expression()}, LawsAssumed::free, given) == Verdict::holds;
+  if (failed != LawsAssumed::free && !both_vanish &&
+      prover.settle(equality, LawsAssumed::free, given) == Verdict::holds)
     return "it holds without torque: its kind is free";
   return "";
 }
 
 Judgement judge_equality(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
-  const Assumption assumption = assumption_of(kind, given);
-  const Verdict verdict = prover.settle(line.equality, assumption, given);
+  const LawsAssumed laws = laws_assumed_by(kind, given);
+  const Verdict verdict = prover.settle(line.equality, laws, given);
   if (verdict == Verdict::holds) return {};
   if (verdict == Verdict::undecided) return undecided();
-  return not_what_it_says("this does not hold", weaker_kind(line.equality, assumption, prover, given),
-                          prover.refute(line.equality, assumption, given));
+  return not_what_it_says("this does not hold", weaker_kind(line.equality, laws, prover, given),
+                          prover.refute(line.equality, laws, given));
 }
 
 Judgement judge_order(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
-  Judgement judgement = prover.settle_order(line, assumption_of(kind, given), given);
+  Judgement judgement = prover.settle_inequality(line, laws_assumed_by(kind, given), given);
   if (kind != ClaimKind::is_false) return judgement;
   if (judgement.verdict == Verdict::fails) return {Verdict::holds, "", "", judgement.counterexample};
   if (judgement.verdict == Verdict::undecided) return judgement;
@@ -195,16 +196,16 @@ Judgement judge_order(const ClaimLine& line, ClaimKind kind, const Prover& prove
 }
 
 Judgement judge_false(const ClaimLine& line, const Prover& prover, const Given& given) {
-  const Assumption assumption = assumption_of(ClaimKind::is_false, given);
-  const Verdict verdict = prover.settle(line.equality, assumption, given);
+  const LawsAssumed laws = laws_assumed_by(ClaimKind::is_false, given);
+  const Verdict verdict = prover.settle(line.equality, laws, given);
   if (verdict == Verdict::undecided) return undecided();
   if (verdict == Verdict::holds)
-    return not_what_it_says(assumption == Assumption::free
+    return not_what_it_says(laws == LawsAssumed::free
                                 ? "this is called false, but it holds without torque"
                                 : "this is called false, but it holds under the torque that is given",
                             "");
   Judgement judgement;
-  judgement.counterexample = prover.refute(line.equality, assumption, given);
+  judgement.counterexample = prover.refute(line.equality, laws, given);
   // What is given may leave so few bodies that it holds for all that can be.
   if (!given.empty() && !judgement.counterexample)
     return not_what_it_says("no possible body was found, as is given, for which this fails",
@@ -220,8 +221,8 @@ std::string to_order(const Given& given) {
 /// What agrees to some order in what is small, or does not.
 Judgement judge_approximation(const ClaimLine& line, ClaimKind kind, const Prover& prover,
                               const Given& given) {
-  const Assumption assumption = assumption_of(kind, given);
-  Judgement judgement = prover.settle_to_order(line.equality, assumption, given);
+  const LawsAssumed laws = laws_assumed_by(kind, given);
+  Judgement judgement = prover.settle_in_series(line.equality, laws, given);
   if (judgement.verdict == Verdict::undecided) return judgement;
   const bool holds = judgement.verdict == Verdict::holds;
   if (kind == ClaimKind::is_false) {
@@ -231,24 +232,24 @@ Judgement judge_approximation(const ClaimLine& line, ClaimKind kind, const Prove
     return {Verdict::holds, "", "", judgement.counterexample};
   }
   if (holds) return {};
-  const auto holds_under = [&](Assumption other) {
-    return prover.settle_to_order(line.equality, other, given).verdict == Verdict::holds;
+  const auto holds_under = [&](LawsAssumed other) {
+    return prover.settle_in_series(line.equality, other, given).verdict == Verdict::holds;
   };
-  if (assumption == Assumption::identity && holds_under(Assumption::motion))
+  if (laws == LawsAssumed::identity && holds_under(LawsAssumed::motion))
     judgement.hint = "it follows from the equations of motion: its kind is motion";
-  else if (assumption != Assumption::free && !given.sets_torque() && !given.small.has_torque() &&
-           holds_under(Assumption::free))
+  else if (laws != LawsAssumed::free && !given.sets_torque() && !given.small.has_torque() &&
+           holds_under(LawsAssumed::free))
     judgement.hint = "it holds without torque: its kind is free";
   return judgement;
 }
 
 /// What follows where the premise holds, which is put into the states as what is given is.
 Judgement judge_implication(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
-  const Assumption assumption = assumption_of(kind, given);
+  const LawsAssumed laws = laws_assumed_by(kind, given);
   const auto refuse = [](std::string why, std::string hint = {}) {
     return Judgement{Verdict::undecided, std::move(why), std::move(hint), {}};
   };
-  auto settings = settings_of_condition(line.equality, assumption, given);
+  auto settings = settings_of_condition(line.equality, laws, given);
   if (!settings)
     return refuse(settings.error(), "assume it in [assume], or claim only that it does not follow");
   Given all = given;
@@ -259,10 +260,10 @@ Judgement judge_implication(const ClaimLine& line, ClaimKind kind, const Prover&
   const int order = std::max(conclusion.left.order(), conclusion.right.order());
   if (order > 1 || (order > 0 && all.sets_spin()))
     return refuse("a condition holds at an instant, and says nothing of the rates of what it is about");
-  const Verdict verdict = prover.settle(conclusion, assumption, all);
+  const Verdict verdict = prover.settle(conclusion, laws, all);
   if (verdict == Verdict::holds) return {};
   if (verdict == Verdict::undecided) return undecided();
-  return not_what_it_says("this does not follow", "", prover.refute(conclusion, assumption, all));
+  return not_what_it_says("this does not follow", "", prover.refute(conclusion, laws, all));
 }
 
 Judgement judge_inference(const ClaimLine& line, const Prover& prover, const Given& given) {
@@ -287,11 +288,10 @@ Judgement judge_inference(const ClaimLine& line, const Prover& prover, const Giv
 
 Prover::Prover() {
   std::mt19937_64 random(kSeed);
-  for (std::size_t assumption = 0; assumption < samples_.size(); ++assumption)
+  for (std::size_t laws = 0; laws < samples_.size(); ++laws)
     for (int n = 0; n < kMostSamples; ++n) {
-      numbers_[assumption].push_back(random_numbers(random));
-      samples_[assumption].push_back(
-          state_of(numbers_[assumption].back(), static_cast<Assumption>(assumption)));
+      numbers_[laws].push_back(random_numbers(random));
+      samples_[laws].push_back(state_of(numbers_[laws].back(), static_cast<LawsAssumed>(laws)));
     }
   wide_ = drawn_numbers<WideFieldElement>([&] {
     WideFieldElement element(1 + static_cast<std::int64_t>(random() >> 3));
@@ -302,54 +302,53 @@ Prover::Prover() {
   });
 }
 
-std::optional<bool> Prover::agrees_at(std::size_t sample, const Equality& equality, Assumption assumption,
+std::optional<bool> Prover::agrees_at(std::size_t sample, const Equality& equality, LawsAssumed laws,
                                       const Given& given) const {
-  if (given.settings.empty()) return agree(equality, samples(assumption)[sample]);
-  const auto state = state_of(numbers_[static_cast<std::size_t>(assumption)][sample], assumption, given);
+  if (given.settings.empty()) return agree(equality, samples(laws)[sample]);
+  const auto state = state_of(numbers_[static_cast<std::size_t>(laws)][sample], laws, given);
   return state ? agree(equality, *state) : std::nullopt;
 }
 
-bool Prover::is_defined(const Equality& stated, Assumption assumption, const Given& given) const {
+bool Prover::is_defined(const Equality& stated, LawsAssumed laws, const Given& given) const {
   const std::optional<Equality> placed = in_places_of_a_state(stated, given);
   if (!placed) return false;
   const Equality equality = with_lengths_squared(*placed);
-  for (std::size_t n = 0; n < samples(assumption).size(); ++n)
-    if (agrees_at(n, equality, assumption, given)) return true;
+  for (std::size_t n = 0; n < samples(laws).size(); ++n)
+    if (agrees_at(n, equality, laws, given)) return true;
   return false;
 }
 
-Verdict Prover::settle(const Equality& stated, Assumption assumption, const Given& given) const {
+Verdict Prover::settle(const Equality& stated, LawsAssumed laws, const Given& given) const {
   const std::optional<Equality> placed = in_places_of_a_state(stated, given);
   if (!placed) return Verdict::undecided;
   const Equality equality = with_lengths_squared(*placed);
   int defined = 0;
-  for (std::size_t n = 0; n < samples(assumption).size(); ++n) {
-    const std::optional<bool> agrees = agrees_at(n, equality, assumption, given);
+  for (std::size_t n = 0; n < samples(laws).size(); ++n) {
+    const std::optional<bool> agrees = agrees_at(n, equality, laws, given);
     if (!agrees) continue;
     if (!*agrees) return Verdict::fails;
     if (++defined < kSamples) continue;
-    return agrees_at_its_own_points(equality, assumption, given) ? confirmed(equality, assumption, given)
-                                                                 : Verdict::fails;
+    return agrees_at_its_own_points(equality, laws, given) ? confirmed(equality, laws, given)
+                                                           : Verdict::fails;
   }
   return Verdict::undecided;
 }
 
 /// At points that depend on the claim's own text, so that no claim can be made up to agree at all of them.
-bool Prover::agrees_at_its_own_points(const Equality& equality, Assumption assumption,
-                                      const Given& given) const {
+bool Prover::agrees_at_its_own_points(const Equality& equality, LawsAssumed laws, const Given& given) const {
   constexpr int kOwnSamples = 2;
   std::uint64_t seed = hash_of(equality.left.text, hash_of(equality.right.text, kSeed));
   for (const Setting& setting : given.settings) seed = hash_of(setting.text, seed);
   std::mt19937_64 random(seed);
   for (int n = 0; n < kOwnSamples; ++n) {
-    const auto state = state_of(random_numbers(random), assumption, given);
+    const auto state = state_of(random_numbers(random), laws, given);
     if (state && agree(equality, *state) == std::optional(false)) return false;
   }
   return true;
 }
 
-Verdict Prover::agree_to_order(const Equality& equality, Assumption assumption, const Given& given,
-                               std::string& why) const {
+Verdict Prover::agree_in_series(const Equality& equality, LawsAssumed laws, const Given& given,
+                                std::string& why) const {
   const int order = given.small.order;
   if (equality.left.nodes.size() + equality.right.nodes.size() > kMostExpandedNodes) {
     why = "its sides are too long to be expanded: they have more than " + std::to_string(kMostExpandedNodes) +
@@ -371,8 +370,8 @@ Verdict Prover::agree_to_order(const Equality& equality, Assumption assumption, 
     const auto sides =
         expanded_sides(equality,
                        is_own ? random_numbers(random)
-                              : numbers_[static_cast<std::size_t>(assumption)][static_cast<std::size_t>(n)],
-                       assumption, given);
+                              : numbers_[static_cast<std::size_t>(laws)][static_cast<std::size_t>(n)],
+                       laws, given);
     if (!sides) continue;
     const OrderComparison comparison = compare_to_order(*sides, order);
     if (comparison.differ_at) return Verdict::fails;
@@ -392,19 +391,19 @@ Verdict Prover::agree_to_order(const Equality& equality, Assumption assumption, 
   if (std::max(degree.numerator, degree.denominator) >= kMostProvableDegree) return Verdict::undecided;
   const double bits = std::max(degree.numerator_bits, degree.denominator_bits);
   if (bits < kBitsOfOnePrime) return Verdict::holds;
-  const auto wide = expanded_sides(equality, wide_, assumption, given);
+  const auto wide = expanded_sides(equality, wide_, laws, given);
   if (!wide) return Verdict::undecided;
   const OrderComparison comparison = compare_to_order(*wide, order);
   if (comparison.differ_at) return Verdict::fails;
   return comparison.is_known && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
 }
 
-Judgement Prover::settle_to_order(const Equality& stated, Assumption assumption, const Given& given) const {
+Judgement Prover::settle_in_series(const Equality& stated, LawsAssumed laws, const Given& given) const {
   const std::optional<Equality> placed = in_places_of_a_state(stated, given);
   if (!placed) return undecided();
   const Equality& equality = *placed;
   std::string why;
-  const Verdict verdict = agree_to_order(equality, assumption, given, why);
+  const Verdict verdict = agree_in_series(equality, laws, given, why);
   if (verdict == Verdict::holds) return {};
   if (verdict == Verdict::undecided) {
     if (why.empty()) return undecided();
@@ -416,34 +415,34 @@ Judgement Prover::settle_to_order(const Equality& stated, Assumption assumption,
         {}};
   }
   int differ_at = given.small.order;
-  auto counter = first_small_expansion(equality, assumption, given, differ_at);
+  auto counter = first_state_in_series(equality, laws, given, differ_at);
   std::string message = "this does not hold " + to_order(given);
   if (counter) message += ": the sides differ in the terms of ε^" + std::to_string(differ_at);
   return not_what_it_says(std::move(message), "", std::move(counter));
 }
 
-Verdict Prover::confirmed(const Equality& equality, Assumption assumption, const Given& given) const {
+Verdict Prover::confirmed(const Equality& equality, LawsAssumed laws, const Given& given) const {
   const Degree degree = degree_of_difference(equality, given);
   if (degree.numerator >= kMostProvableDegree) return Verdict::undecided;
   const double bits = degree.numerator_bits;
   if (bits < kBitsOfOnePrime) return Verdict::holds;
-  const auto state = state_of(wide_, assumption, given);
+  const auto state = state_of(wide_, laws, given);
   const std::optional<bool> agrees = state ? agree(equality, *state) : std::nullopt;
   if (agrees && !*agrees) return Verdict::fails;
   return agrees && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
 }
 
-Judgement Prover::settle_order(const ClaimLine& line, Assumption assumption, const Given& given) const {
+Judgement Prover::settle_inequality(const ClaimLine& line, LawsAssumed laws, const Given& given) const {
   const bool is_upward = line.relation == Relation::greater || line.relation == Relation::greater_or_equal;
   const bool is_strict = line.relation == Relation::greater || line.relation == Relation::less;
   const std::optional<Equality> placed = in_places_of_a_state(line.equality, given);
   if (!placed) return undecided();
   const Equality& sides = *placed;
   const Equality larger_first = is_upward ? sides : Equality{sides.right, sides.left};
-  if (is_never_less(larger_first, is_strict, assumption, given)) return {};
+  if (is_never_less(larger_first, is_strict, laws, given)) return {};
   int tried = 0;
   auto counter = with_roots(
-      first_small_state(with_lengths_squared(sides), nullptr, assumption, given, line.relation, &tried),
+      first_whole_number_state(with_lengths_squared(sides), nullptr, laws, given, line.relation, &tried),
       sides);
   if (counter) return not_what_it_says("this does not hold", "", std::move(counter));
   if (tried == 0) return undecided();
@@ -454,33 +453,33 @@ Judgement Prover::settle_order(const ClaimLine& line, Assumption assumption, con
   return judgement;
 }
 
-std::optional<Counterexample> Prover::refute(const Equality& stated, Assumption assumption,
+std::optional<Counterexample> Prover::refute(const Equality& stated, LawsAssumed laws,
                                              const Given& given) const {
   const std::optional<Equality> placed = in_places_of_a_state(stated, given);
   if (!placed) return std::nullopt;
   const Equality& equality = *placed;
-  return with_roots(first_small_state(with_lengths_squared(equality), nullptr, assumption, given), equality);
+  return with_roots(first_whole_number_state(with_lengths_squared(equality), nullptr, laws, given), equality);
 }
 
 std::optional<Counterexample> Prover::refute_inference(const Equality& premise, const Equality& conclusion,
                                                        const Given& given) const {
   const Equality premise_squared = with_lengths_squared(premise);
-  return with_roots(
-      first_small_state(with_lengths_squared(conclusion), &premise_squared, Assumption::motion, given),
-      conclusion);
+  return with_roots(first_whole_number_state(with_lengths_squared(conclusion), &premise_squared,
+                                             LawsAssumed::motion, given),
+                    conclusion);
 }
 
-Assumption assumption_of(ClaimKind kind, const Given& given) {
-  if (kind == ClaimKind::is_false && given.sets_torque()) return Assumption::motion;
+LawsAssumed laws_assumed_by(ClaimKind kind, const Given& given) {
+  if (kind == ClaimKind::is_false && given.sets_torque()) return LawsAssumed::motion;
   switch (kind) {
     case ClaimKind::identity:
     case ClaimKind::definition:
-      return Assumption::identity;
+      return LawsAssumed::identity;
     case ClaimKind::free:
     case ClaimKind::is_false:
-      return Assumption::free;
+      return LawsAssumed::free;
     default:
-      return Assumption::motion;
+      return LawsAssumed::motion;
   }
 }
 
@@ -497,10 +496,10 @@ Judgement judge_as_its_kind(const ClaimLine& line, ClaimKind kind, const Prover&
 }
 
 /// Exact arithmetic takes cos(acos(a)) for a, whatever a is: whether there is such an angle, states tell.
-bool has_its_angles(const Equality& equality, Assumption assumption, const Given& given) {
+bool has_its_angles(const Equality& equality, LawsAssumed laws, const Given& given) {
   if (!equality.left.uses(Operation::acos) && !equality.right.uses(Operation::acos)) return true;
   int tried = 0;
-  first_small_state(with_lengths_squared(equality), nullptr, assumption, given, Relation::equal, &tried);
+  first_whole_number_state(with_lengths_squared(equality), nullptr, laws, given, Relation::equal, &tried);
   return tried > 0;
 }
 
@@ -510,9 +509,9 @@ Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover, con
   if (kind == ClaimKind::measured) return {};
   Judgement judgement = judge_as_its_kind(line, kind, prover, given);
   if (judgement.verdict != Verdict::holds) return judgement;
-  const Assumption assumption = assumption_of(kind, given);
-  if (has_its_angles(line.equality, assumption, given) &&
-      (!line.conclusion || has_its_angles(*line.conclusion, assumption, given)))
+  const LawsAssumed laws = laws_assumed_by(kind, given);
+  if (has_its_angles(line.equality, laws, given) &&
+      (!line.conclusion || has_its_angles(*line.conclusion, laws, given)))
     return judgement;
   return {Verdict::undecided,
           "an angle in this was found in no state: its cosine is never between -1 and 1",

@@ -46,31 +46,31 @@ class Prover {
  public:
   Prover();
 
-  Verdict settle(const Equality& equality, Assumption assumption, const Given& given = {}) const;
+  Verdict settle(const Equality& equality, LawsAssumed laws, const Given& given = {}) const;
   /// Whether both sides have a value anywhere. What is undecided and has one is too large to be decided.
-  bool is_defined(const Equality& equality, Assumption assumption, const Given& given = {}) const;
+  bool is_defined(const Equality& equality, LawsAssumed laws, const Given& given = {}) const;
   /// A state where the equality fails; nothing if none of those tried is one.
-  std::optional<Counterexample> refute(const Equality& equality, Assumption assumption,
+  std::optional<Counterexample> refute(const Equality& equality, LawsAssumed laws,
                                        const Given& given = {}) const;
   /// Where quantities are small. What is undecided has its reason with it.
-  Judgement settle_to_order(const Equality& equality, Assumption assumption, const Given& given) const;
+  Judgement settle_in_series(const Equality& equality, LawsAssumed laws, const Given& given) const;
   /// A line that states an inequality: proved (signs.h), refuted by a possible state, or neither.
-  Judgement settle_order(const ClaimLine& line, Assumption assumption, const Given& given = {}) const;
+  Judgement settle_inequality(const ClaimLine& line, LawsAssumed laws, const Given& given = {}) const;
   /// A motion with any torque in which the premise holds and the conclusion fails.
   std::optional<Counterexample> refute_inference(const Equality& premise, const Equality& conclusion,
                                                  const Given& given = {}) const;
 
  private:
   /// At one of the samples; nothing: it is not defined there.
-  std::optional<bool> agrees_at(std::size_t sample, const Equality& equality, Assumption assumption,
+  std::optional<bool> agrees_at(std::size_t sample, const Equality& equality, LawsAssumed laws,
                                 const Given& given) const;
-  const std::vector<ClaimState<FieldElement>>& samples(Assumption assumption) const {
-    return samples_[static_cast<std::size_t>(assumption)];
+  const std::vector<ClaimState<FieldElement>>& samples(LawsAssumed laws) const {
+    return samples_[static_cast<std::size_t>(laws)];
   }
-  Verdict agree_to_order(const Equality& equality, Assumption assumption, const Given& given,
-                         std::string& why) const;
-  bool agrees_at_its_own_points(const Equality& equality, Assumption assumption, const Given& given) const;
-  Verdict confirmed(const Equality& equality, Assumption assumption, const Given& given) const;
+  Verdict agree_in_series(const Equality& equality, LawsAssumed laws, const Given& given,
+                          std::string& why) const;
+  bool agrees_at_its_own_points(const Equality& equality, LawsAssumed laws, const Given& given) const;
+  Verdict confirmed(const Equality& equality, LawsAssumed laws, const Given& given) const;
 
   std::array<std::vector<StateNumbers<FieldElement>>, 3> numbers_;  ///< of the samples
   std::array<std::vector<ClaimState<FieldElement>>, 3> samples_;
@@ -81,6 +81,6 @@ class Prover {
 Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given = {});
 
 /// What a kind assumes; of `false`, what it must fail under: no torque, unless one is given.
-Assumption assumption_of(ClaimKind kind, const Given& given = {});
+LawsAssumed laws_assumed_by(ClaimKind kind, const Given& given = {});
 
 }  // namespace polhode

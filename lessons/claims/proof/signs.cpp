@@ -242,14 +242,14 @@ bool uses_axes_of_space(const Expression& expression) {
 
 }  // namespace
 
-bool is_never_less(const Equality& stated, bool strict, Assumption assumption, const Given& given) {
+bool is_never_less(const Equality& stated, bool strict, LawsAssumed laws, const Given& given) {
   const Equality sides = with_lengths_squared(stated);
   const bool turned = uses_axes_of_space(sides.left) || uses_axes_of_space(sides.right) ||
                       std::any_of(given.settings.begin(), given.settings.end(),
                                   [](const Setting& setting) { return uses_axes_of_space(setting.value); });
   try {
     start_algebra();
-    const auto state = state_of(symbolic_numbers(turned), assumption, given);
+    const auto state = state_of(symbolic_numbers(turned), laws, given);
     const auto left = state ? value_in(*state, sides.left) : std::nullopt;
     const auto right = state ? value_in(*state, sides.right) : std::nullopt;
     if (!left || !right) return false;

@@ -21,6 +21,6 @@ namespace polhode {
 /// factor in it, or none a negative one; of others, that one number (ω_i, N_i, h, k, a constant) is positive
 /// or negative. What is not used makes nothing false: it is only not helped by. A strict inequality needs a
 /// term that is left over and cannot be 0. At most some 8 ms; what takes longer is not proved.
-bool is_never_less(const Equality& sides, bool strict, Assumption assumption, const Given& given);
+bool is_never_less(const Equality& sides, bool strict, LawsAssumed laws, const Given& given);
 
 }  // namespace polhode

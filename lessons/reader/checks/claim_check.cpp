@@ -191,7 +191,7 @@ class ClaimCheck {
     if (ask.derivation) check_derivation(ask, *ask.derivation, prover_, report_, effort_);
     if (ask.task) check_state_task(ask, report_, effort_);
     const auto& answer = ask.expression;
-    if (answer && prover_.settle({*answer, *answer}, Assumption::identity, ask.given) != Verdict::holds)
+    if (answer && prover_.settle({*answer, *answer}, LawsAssumed::identity, ask.given) != Verdict::holds)
       report_.error(ask.place, "the answer of question " + in_quotes(ask.id) + " is nowhere defined");
   }
 
@@ -217,7 +217,7 @@ class ClaimCheck {
       Scene alone = *shown[i];
       alone.beside.clear();
       alone.before = 0;
-      models.push_back(make_model(alone, Product::figure, effort_));
+      models.push_back(make_model(alone, ModelFor::figure, effort_));
       if (caption == first) continue;
       MotionNumbers motion(models.back(), still_time_s(*step.scene), effort_);
       for (const int id : ids) check_number(lesson_.numbers[static_cast<std::size_t>(id)], motion, step);
@@ -244,7 +244,7 @@ class ClaimCheck {
       Scene alone = *shown[i];
       alone.beside.clear();
       alone.before = 0;
-      const SceneModel model = make_model(alone, Product::figure, effort_);
+      const SceneModel model = make_model(alone, ModelFor::figure, effort_);
       number_check_.check_typed(*caption, model, still_time_s(*step.scene), step.place);
     }
   }
@@ -256,7 +256,7 @@ class ClaimCheck {
       Scene alone = *shown;
       alone.beside.clear();
       alone.before = 0;
-      polhode::check_names(lesson_, make_model(alone, Product::numbers, effort_), step.place, report_);
+      polhode::check_names(lesson_, make_model(alone, ModelFor::numbers, effort_), step.place, report_);
     }
   }
 
@@ -380,7 +380,7 @@ class ClaimCheck {
         Scene measured = *step.scene;
         measured.beside.clear();  // claims are about the first
         measured.before = 0;
-        model_.emplace(make_model(measured, Product::figure, effort_));
+        model_.emplace(make_model(measured, ModelFor::figure, effort_));
       }
       return &*model_;
     } catch (const std::domain_error&) {
@@ -398,7 +398,7 @@ class ClaimCheck {
         alone.beside.clear();
         alone.before = 0;
         try {
-          shown_->push_back(make_model(alone, Product::numbers, effort_));
+          shown_->push_back(make_model(alone, ModelFor::numbers, effort_));
         } catch (const std::domain_error&) {  // who checks the scenes says so
         }
       }

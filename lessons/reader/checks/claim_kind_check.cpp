@@ -14,7 +14,7 @@ namespace {
 
 bool is_identity(const Equality& sides, const Prover& prover, const Effort& effort) {
   spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(sides));
-  return is_provable(sides) && prover.settle(sides, Assumption::identity) == Verdict::holds;
+  return is_provable(sides) && prover.settle(sides, LawsAssumed::identity) == Verdict::holds;
 }
 
 }  // namespace

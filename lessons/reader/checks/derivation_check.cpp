@@ -15,7 +15,7 @@ void check_derivation(const Ask& ask, const Derivation& derivation, const Prover
   const auto check_line = [&](const DerivedLine& line, const char* which) {
     for (const Equality& link : line.links) {
       spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(link));
-      if (is_provable(link) && prover.settle(link, derivation.assumption, derivation.given) == Verdict::holds)
+      if (is_provable(link) && prover.settle(link, derivation.laws, derivation.given) == Verdict::holds)
         continue;
       report.error(
           ask.place,

@@ -77,7 +77,7 @@ class PrintedClaimCheck {
     const auto same = [&](const Expression& x, const Expression& y) {
       if (!fit(x.type(), y.type())) return false;
       const Equality sides{x, y};
-      return is_provable(sides) && prover_.settle(sides, Assumption::identity) == Verdict::holds;
+      return is_provable(sides) && prover_.settle(sides, LawsAssumed::identity) == Verdict::holds;
     };
     return (same(a.left, b.left) && same(a.right, b.right)) ||
            (in_any_order && same(a.left, b.right) && same(a.right, b.left));

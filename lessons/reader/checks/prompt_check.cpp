@@ -95,8 +95,8 @@ class PromptCheck {
     if (!is_provable(sides)) return;
     spend(effort_, kClaimLineEvaluations);
     // A prompt may ask for a rate, and leave Euler's law to the learner.
-    const Assumption assumption = ask_.modulo == "free" ? Assumption::free : Assumption::motion;
-    if (prover_.settle(sides, assumption, ask_.given) == Verdict::fails)
+    const LawsAssumed laws = ask_.modulo == "free" ? LawsAssumed::free : LawsAssumed::motion;
+    if (prover_.settle(sides, laws, ask_.given) == Verdict::fails)
       refuse("its answer is something else",
              "what the prompt assumes is given = \"NAME\", an assumption of [assume]");
   }
@@ -127,8 +127,8 @@ class PromptCheck {
       return refuse("its answer is " + std::string(name_of(answer->type())));
     const Equality sides{said, *answer};
     if (!is_provable(sides)) return;
-    for (const Assumption assumption : {Assumption::identity, Assumption::motion, Assumption::free})
-      if (prover_.settle(sides, assumption) != Verdict::fails) return;
+    for (const LawsAssumed laws : {LawsAssumed::identity, LawsAssumed::motion, LawsAssumed::free})
+      if (prover_.settle(sides, laws) != Verdict::fails) return;
     const auto motions = motions_();
     for (const ShownMotion& motion : motions) {
       MotionNumbers numbers(motion.model, motion.still_s, effort_);

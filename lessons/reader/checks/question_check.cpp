@@ -128,7 +128,7 @@ class QuestionCheck {
       Scene scene = *step.scene;
       scene.beside.clear();
       scene.before = 0;
-      const SceneModel model = make_model(scene, Product::figure, effort_);
+      const SceneModel model = make_model(scene, ModelFor::figure, effort_);
       if (!is_computable(model, play.from_s) || !is_computable(model, play.to_s))
         return fail("plays to t = " + digits(play.to_s, 4) + " s, where the motion cannot be followed",
                     "end earlier");

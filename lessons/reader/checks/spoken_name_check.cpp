@@ -66,7 +66,7 @@ class SpokenNameCheck {
   /// What no proof decides, such as the largest of three moments, may be so in some scene of the lesson.
   bool may_be_same(const Expression& a, const Expression& b) const {
     const Equality sides{a, b};
-    if (is_provable(sides)) return prover_.settle(sides, Assumption::identity) != Verdict::fails;
+    if (is_provable(sides)) return prover_.settle(sides, LawsAssumed::identity) != Verdict::fails;
     bool is_told = false;
     const Scene* last = nullptr;
     for (const Stage& stage : lesson_.stages)
@@ -90,7 +90,7 @@ class SpokenNameCheck {
     alone.beside.clear();
     alone.before = 0;
     try {
-      return live_state(make_model(alone, Product::numbers, effort_), 0);
+      return live_state(make_model(alone, ModelFor::numbers, effort_), 0);
     } catch (const std::domain_error&) {
       return std::nullopt;
     }

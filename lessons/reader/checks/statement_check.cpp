@@ -354,19 +354,19 @@ bool StatementCheck::holds_in_general(const StatedLink& link, const Standing& st
   const Equality equality{*link.left.is, *link.right.is};
   if (!is_provable(equality)) return false;
   spend(effort_, 4 * kClaimLineEvaluations);
-  const auto holds = [&](Assumption assumption, const Given& given) {
-    if (!is_order(link.relation)) return prover_.settle(equality, assumption, given) == Verdict::holds;
+  const auto holds = [&](LawsAssumed laws, const Given& given) {
+    if (!is_order(link.relation)) return prover_.settle(equality, laws, given) == Verdict::holds;
     ClaimLine line;
     line.equality = equality;
     line.relation = link.relation;
-    const Verdict verdict = prover_.settle_order(line, assumption, given).verdict;
+    const Verdict verdict = prover_.settle_inequality(line, laws, given).verdict;
     return verdict == Verdict::holds || verdict == Verdict::not_refuted;
   };
-  if (holds(Assumption::identity, {}) || holds(Assumption::motion, {})) return true;
-  if (holds(Assumption::free, {}) && may_be_free(standing, motions())) return true;
+  if (holds(LawsAssumed::identity, {}) || holds(LawsAssumed::motion, {})) return true;
+  if (holds(LawsAssumed::free, {}) && may_be_free(standing, motions())) return true;
   return std::any_of(lesson_.assumptions.begin(), lesson_.assumptions.end(), [&](const auto& one) {
     return (is_named(one.first, standing.words) || is_named(one.first, headline_)) &&
-           holds(Assumption::motion, one.second);
+           holds(LawsAssumed::motion, one.second);
   });
 }
 
@@ -511,7 +511,7 @@ void StatementCheck::check(const StatedLink& link, const Context& context, const
     if (motions().empty()) return;
   } else if (link.is_denied) {
     spend(effort_, kClaimLineEvaluations);
-    if (is_provable(sides) && prover_.settle(sides, Assumption::free) == Verdict::holds)
+    if (is_provable(sides) && prover_.settle(sides, LawsAssumed::free) == Verdict::holds)
       return refuse(link, context, "both sides are always equal", "write =");
   } else if (is_claimed(sides) || is_of_a_kind_of_body(link, context.standing) ||
              holds_in_general(stated, context.standing, motions)) {

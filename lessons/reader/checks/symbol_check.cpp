@@ -86,9 +86,9 @@ bool may_be_unit_vector(const std::string& name, const Symbol& symbol, const Fro
   if (!left || !right) return true;
   const Equality equality{std::move(*left), std::move(*right)};
   const Prover prover;
-  const Verdict verdict = prover.settle(equality, Assumption::motion);
+  const Verdict verdict = prover.settle(equality, LawsAssumed::motion);
   return verdict == Verdict::holds ||
-         (verdict == Verdict::undecided && !prover.refute(equality, Assumption::motion));
+         (verdict == Verdict::undecided && !prover.refute(equality, LawsAssumed::motion));
 }
 
 /// Whether words are the name of an angle, or of its cosine or sine.

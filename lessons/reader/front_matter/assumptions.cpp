@@ -4,7 +4,7 @@
 #include "base/spelling.h"
 #include "lessons/claims/expressions/expression_names.h"
 #include "lessons/claims/expressions/expression_tex.h"
-#include "lessons/claims/proof/small_states.h"
+#include "lessons/claims/proof/whole_number_states.h"
 
 #include <algorithm>
 #include <cmath>

@@ -178,9 +178,9 @@ class AskReader {
   void derivation() {
     Derivation derivation;
     derivation.given = ask_.given;
-    derivation.assumption = ask_.modulo == "free"     ? Assumption::free
-                            : ask_.modulo == "motion" ? Assumption::motion
-                                                      : Assumption::identity;
+    derivation.laws = ask_.modulo == "free"     ? LawsAssumed::free
+                      : ask_.modulo == "motion" ? LawsAssumed::motion
+                                                : LawsAssumed::identity;
     auto start = line_of("start"), goal = line_of("goal");
     if (!start || !goal) return;
     derivation.start = std::move(*start);

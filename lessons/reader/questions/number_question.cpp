@@ -140,7 +140,7 @@ std::optional<SourcePlace> compute_answers(Lesson& lesson, const Effort& effort)
             Scene scene = *step.scene;
             scene.beside.clear();
             scene.before = 0;
-            model.emplace(make_model(scene, Product::numbers, effort));
+            model.emplace(make_model(scene, ModelFor::numbers, effort));
             motion.emplace(*model, still_time_s(*step.scene), effort);
           }
           NumberAnswer computed = *ask->number;

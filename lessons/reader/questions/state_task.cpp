@@ -145,7 +145,7 @@ AnswerJudgement judge_state(const StateTask& task, const SteeredState& state, co
   if (is_too_large(state)) return unreadable("a number in this is too large");
   try {
     const SceneModel model =
-        make_model(without_picture(steered(*task.scene, state), 0), Product::numbers, effort);
+        make_model(without_picture(steered(*task.scene, state), 0), ModelFor::numbers, effort);
     const double t_s = judged_time_s(task, state.t_s.value_or(still_time_s(*task.scene)));
     // Far away nothing is known of a motion but its energy: a phase that is lost would reach a goal by
     // chance.

@@ -51,9 +51,8 @@ class SceneKeys {
 
   std::vector<PlacedText> read(const TomlTable& table);
 
-  /// All that is known of a key. To add one: a row of the table, which FORMAT.md repeats, and a reader here;
-  /// a field of Scene, which same_course and same_model (scene.h) are to know, with its text in
-  /// scene_values.cpp.
+  /// All that is known of a key. To add one: a row of the table and a reader here; the rest stands in
+  /// ARCHITECTURE.md, "To add one".
   struct Row {
     SceneKeyFacts facts;
     void (SceneKeys::*read)(const TomlEntry&);

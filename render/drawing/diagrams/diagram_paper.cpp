@@ -96,6 +96,7 @@ DiagramPaper::DiagramPaper(const Vec2& extent, const PixelBox& box, const Diagra
                            const Fonts& fonts)
     : style_(style),
       fonts_(fonts),
+      extent_(extent),
       unit_(std::min({style.type_size, box.width() / extent.x(), box.height() / extent.y()})),
       corner_(box.x0 + 0.5 * (box.width() - unit_ * extent.x()),
               box.y0 + 0.5 * (box.height() - unit_ * extent.y())) {
@@ -129,10 +130,6 @@ void DiagramPaper::text(const std::string& text, const Vec2& at, const Type& typ
   style.sans = true;
   style.bold = type.bold;
   place(set_line(text, style, fonts_), at, type.align, text);
-}
-
-double DiagramPaper::width_of_math(const std::string& tex, double size) const {
-  return set(tex, size, false).width / unit_;
 }
 
 void DiagramPaper::line(const Vec2& from, const Vec2& to, double width, const Color& color, double dash) {

@@ -60,6 +60,7 @@ class DiagramPaper {
   DiagramPaper(const Vec2& extent, const PixelBox& box, const DiagramStyle& style, const Fonts& fonts);
 
   const DiagramStyle& style() const { return style_; }
+  const Vec2& extent() const { return extent_; }
   Color ink_of(const Role& role) const { return on_its_paper(role.ink); }
   Color paint_of(const Role& role) const { return on_its_paper(role.paint); }
   /// Of what belongs to axis i = 0, 1, 2.
@@ -77,7 +78,6 @@ class DiagramPaper {
   /// A line of sans text, formulas between `$`.
   void text(const std::string& text, const Vec2& at, const Type& type);
   void text(const std::string& line, const Vec2& at) { text(line, at, Type()); }
-  double width_of_math(const std::string& tex, double size = 1) const;
 
   void line(const Vec2& from, const Vec2& to, double width, const Color& color, double dash = 0);
   void path(std::vector<Vec2> points, double width, const Color& color);
@@ -100,6 +100,7 @@ class DiagramPaper {
 
   DiagramStyle style_;
   const Fonts& fonts_;
+  Vec2 extent_;
   double unit_;
   Vec2 corner_;
   std::vector<MathSymbol> symbols_;
@@ -112,6 +113,9 @@ enum class Arrangement { wide, tall };
 struct DiagramKind {
   Vec2 wide, tall;  ///< equal where there is one arrangement alone
   void (*draw)(const SceneModel& model, double t_s, Arrangement arrangement, DiagramPaper& paper);
+  /// Of one that takes all the room of its box: how far it grows beyond `wide`, which is the least then.
+  /// Zero: it does not.
+  Vec2 most = {0, 0};
 };
 
 /// The overlays on paper; each kind is defined in the file of its name.

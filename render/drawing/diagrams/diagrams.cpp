@@ -29,6 +29,10 @@ diagrams::Arrangement arrangement_in(const DiagramKind& kind, const PixelBox& bo
 
 Vec2 diagram_extent(Overlay diagram, const PixelBox& box) {
   const DiagramKind& kind = kind_of(diagram);
+  if (kind.most.x() > 0) {
+    const double size = std::min(box.width() / kind.wide.x(), box.height() / kind.wide.y());
+    return kind.most.cwiseMin(Vec2(box.width(), box.height()) / size);
+  }
   return arrangement_in(kind, box) == diagrams::Arrangement::wide ? kind.wide : kind.tall;
 }
 

@@ -9,7 +9,8 @@
 namespace polhode::diagrams {
 namespace {
 
-const Vec2 kWide(32, 25), kTall(30, 32);
+const Vec2 kLeast(30, 20), kMost(52, 34);
+constexpr double kTypeSize = 41;      ///< makes its labels as large as the type of a diagram
 constexpr double kLargestError = 10;  // beyond, a method has not followed the motion at all
 
 struct Sample {
@@ -63,7 +64,7 @@ std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double
   return all;
 }
 
-void draw(const SceneModel& model, double /*unused*/, Arrangement arrangement, DiagramPaper& paper) {
+void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, DiagramPaper& paper) {
   if (model.orders.empty()) return;
   const double t_s = model.orders.front().t_s;
   const bool by_evaluations = model.scene.compared.by_evaluations;
@@ -75,14 +76,15 @@ void draw(const SceneModel& model, double /*unused*/, Arrangement arrangement, D
               .tolerance = {},
               .recommended = {},
               .recommended_label = {},
-              .note = "order: log₂ of the gain by half the step",
+              .note = "order: log₂ of error($h$) / error($h/2$)",
               .names_at_end = true,
-              .scale = 2.3},
-             {0, 0}, arrangement == Arrangement::wide ? kWide : kTall);
+              // A plot's type goes by the size of the plot, a diagram's does not.
+              .scale = kTypeSize / std::min(paper.extent().y(), paper.extent().x() * 9.0 / 16.0)},
+             {0, 0}, paper.extent());
 }
 
 }  // namespace
 
-const DiagramKind kOrderPlot{kWide, kTall, draw};
+const DiagramKind kOrderPlot{kLeast, kLeast, draw, kMost};
 
 }  // namespace polhode::diagrams

@@ -23,6 +23,8 @@ constexpr double kNameSize = 27, kQuietNameSize = 25, kExactNameSize = 32, kCall
 constexpr double kNameAir = 0.12;  // of the size of type, around a name
 constexpr double kTitleHeight = 100;
 constexpr double kEndGap = 40;  // from the frame to a column of names
+constexpr double kAirInDiagram =
+    30;  // that a diagram has around a plot, so that this has less above and below
 constexpr double kDecadeSpacing = 56;
 constexpr double kRingRadius = 27;
 constexpr LabelRules kNameRules{.starts = 8, .rounds = 3, .cost_covered = 0.5, .cost_crossed = 1.8};
@@ -82,6 +84,7 @@ class PlotLayout {
   PlotLayout(const WorkPrecisionPlot& plot, double width, double height, const Fonts& fonts)
       : plot_(plot),
         fonts_(fonts),
+        width_(width),
         unit_(plot.scale * std::min(height, width * 9.0 / 16.0) / 1080.0),
         x_(LogAxis::covering(works_of(plot), false, true)),
         y_(LogAxis::covering(errors_of(plot), true, false)),
@@ -133,9 +136,18 @@ class PlotLayout {
   bool shows(const std::pair<double, double>& p) const { return x_.shows(p.first) && y_.shows(p.second); }
   Vec2 at(const std::pair<double, double>& p) const { return {x_.px(p.first), y_.px(p.second)}; }
 
+  /// In a diagram the note has its place above the column of names, if that is wide enough.
+  bool has_note_beside(double width) const {
+    return plot_.names_at_end && plot_.title.empty() &&
+           width_of(plot_.y_label, px(kAxisTitleSize)) + width_of(plot_.note, px(kNoteSize)) <
+               width - px(2 * margin() + kEndGap);
+  }
+
   void place_axes(double width, double height) {
-    frame_ = {px(margin()), px((plot_.note.empty() ? 212 : 250) - raised()), width - px(margin()),
-              height - px(142)};
+    const bool has_line_of_note = !plot_.note.empty() && !has_note_beside(width);
+    const double above = (has_line_of_note ? 250 : 212) - raised();
+    frame_ = {px(margin()), px(plot_.names_at_end ? above - kAirInDiagram : above), width - px(margin()),
+              height - px(plot_.names_at_end ? 142 - kAirInDiagram : 142)};
     // Bottom first: the labels of the y axis depend on it, and its left end on them.
     for (LogAxis* axis : {&x_, &y_}) axis->gap_px = px(54);
     y_.start_px = frame_.y1;
@@ -261,9 +273,12 @@ class PlotLayout {
   void add_titles() {
     const double left = px(margin());
     if (!plot_.title.empty()) add_text(plot_.title, {left, px(106)}, px(kTitleSize), 0.0, plot_.ink);
-    if (!plot_.note.empty())
+    const double y_of_label = frame_.y0 - px(30);
+    if (!plot_.note.empty() && has_note_beside(width_))
+      add_text(plot_.note, {width_ - left, y_of_label}, px(kNoteSize), 1.0, plot_.muted);
+    else if (!plot_.note.empty())
       add_text(plot_.note, {left, px(152 - raised())}, px(kNoteSize), 0.0, plot_.muted);
-    add_text(plot_.y_label, {left, frame_.y0 - px(30)}, px(kAxisTitleSize), 0.0, plot_.ink);
+    add_text(plot_.y_label, {left, y_of_label}, px(kAxisTitleSize), 0.0, plot_.ink);
     add_text(plot_.x_label, {0.5 * (frame_.x0 + frame_.x1), frame_.y1 + px(98)}, px(kAxisTitleSize), 0.5,
              plot_.ink);
   }
@@ -418,6 +433,7 @@ class PlotLayout {
 
   const WorkPrecisionPlot& plot_;
   const Fonts& fonts_;
+  double width_;
   double name_scale_ = 1;  ///< of names in a column that would leave no room for the curves
   double unit_;            ///< px of this picture for one of a picture 1080 px high
   LogAxis x_, y_;

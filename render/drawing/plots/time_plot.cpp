@@ -222,12 +222,16 @@ class TimePlotLayout {
 
   /// In smaller type, if it is wider than `most`.
   void add_text(std::string text, const Vec2& at, double align, const Color& color,
-                double most = std::numeric_limits<double>::infinity()) {
+                double most = std::numeric_limits<double>::infinity(), const Color& halo = {0, 0, 0, 0}) {
     DisplayList line = line_of(text, color);
     if (line.width > most) line = line_of(text, color, most / line.width);
     const double left = at.x() - align * line.width;
-    sheet_.texts.push_back({.list = std::move(line), .at = {left, at.y()}, .text = std::move(text)});
+    sheet_.texts.push_back(
+        {.list = std::move(line), .at = {left, at.y()}, .halo = halo, .text = std::move(text)});
   }
+
+  /// Names may lie over lines of the grid.
+  Color paper_halo() const { return {style_.paper.r, style_.paper.g, style_.paper.b, 0.92F}; }
 
   void add_title() {
     const double baseline = std::round(box_.y0 + px(0.9));
@@ -349,7 +353,7 @@ class TimePlotLayout {
       if (!leaves && (std::abs(placed[i] - wanted[i]) > px(kLeaderFrom) || ends[i].x() < frame_.x1 - px(0.5)))
         add_line({ends[i], {name.x() - px(0.12), name.y()}}, px(kLeader), name_color(*named[i]));
       add_text(name_of(*named[i]), {name.x(), std::round(name.y() + px(0.5 * kCapHeight))}, 0.0,
-               name_color(*named[i]), box_.x1 - name.x());
+               name_color(*named[i]), box_.x1 - name.x(), paper_halo());
     }
   }
 

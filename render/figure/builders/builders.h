@@ -75,15 +75,16 @@ Builder add_turn;         ///< the axis and the sense of the present turn
 Builder add_transport;    ///< A and its triangle
 Builder add_terms;        ///< of I·ω̇ + ω×(I·ω) = N
 Builder add_pivot;        ///< stand, axle and weight
+Builder add_spin;         ///< the sense of ω₃
 Builder add_ghost;        ///< the exact body, ω and L beside the computed ones
 Builder add_room;         ///< at rest in S; on the floor that a pane has already
 Builder add_labels;
 Builder add_marks;  ///< of the lesson's own, with their names
 /// In the order in which a pane is drawn.
-inline constexpr std::array kBuilders = {add_surfaces, add_solid,     add_poses, add_curves,  add_rolling,
-                                         add_trails,   add_cones,     add_axes,  add_vectors, add_translation,
-                                         add_turn,     add_transport, add_terms, add_pivot,   add_ghost,
-                                         add_room,     add_labels,    add_marks};
+inline constexpr std::array kBuilders = {
+    add_surfaces, add_solid,   add_poses,       add_curves, add_rolling,   add_trails, add_cones,
+    add_axes,     add_vectors, add_translation, add_turn,   add_transport, add_terms,  add_pivot,
+    add_spin,     add_ghost,   add_room,        add_labels, add_marks};
 
 /// Once in a figure, in the corner of its first pane.
 void add_values(const Snapshot& m, DrawList& list);

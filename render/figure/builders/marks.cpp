@@ -3,7 +3,7 @@
 #include "physics/body/euler.h"
 #include "physics/geometry/curve_sampling.h"
 #include "render/figure/builders/builders.h"
-#include "render/figure/builders/places.h"
+#include "render/figure/builders/extents.h"
 #include "render/palette.h"
 
 #include <algorithm>
@@ -329,13 +329,13 @@ class MarkBuilder {
     const auto tail = vectors_.tail_V(index, m_.t_s, m_.state);
     if (!along || !tail || !(along->norm() > kTooShort)) return;
     const Look look = looks_.of(mark.of);
-    const bool is_force = mark.of.overlay == Overlay::N || mark.of.overlay == Overlay::F;
+    const bool is_torque = mark.of.overlay == Overlay::N;
     const Vec3 tip = *tail + *along;
     list_.arrows.push_back({.tail = *tail,
                             .tip = tip,
                             .radius = kArrowRadius * m_.thickness,
                             .color = look.role.paint,
-                            .dash = is_force || look.is_dashed ? kArrowDash : 0.0});
+                            .dash = is_torque || look.is_dashed ? kArrowDash : 0.0});
     const Vec3 named =
         mark.name_at < 1 ? Vec3(*tail + mark.name_at * *along) : Vec3(tip + kBeyond * along->normalized());
     add_label({.text = mark.tex.value_or(mark.of.quantity.tex),
@@ -465,16 +465,16 @@ void add_marks(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   if (m.model.needs.marks) MarkBuilder(m, list).add_all();
 }
 
-void add_places_of_marks(const Snapshot& m, Places& places) {
+void add_extents_of_marks(const Snapshot& m, Extents& extents) {
   if (!m.model.needs.marks) return;
   constexpr int kEvery = 2;  // of the steps of a course
   constexpr double kLine = 0.03;
   const Marks& marks = m.model.scene.marks;
   const DrawnVectors vectors(m);
   for (const TrailMark& trail : marks.trails)
-    if (trail.on_sphere) places.push_back(ball_at(Vec3::Zero(), 1.0));
+    if (trail.on_sphere) extents.push_back(ball_at(Vec3::Zero(), 1.0));
   const auto hold = [&](const Vec3& at_V, double radius) {
-    if (at_V.allFinite()) places.push_back(ball_at(at_V, radius));
+    if (at_V.allFinite()) extents.push_back(ball_at(at_V, radius));
   };
   for (int n = 0; n <= kCourseSteps; n += kEvery) {
     const double t_s = m.model.span_s * n / kCourseSteps;
@@ -487,7 +487,7 @@ void add_places_of_marks(const Snapshot& m, Places& places) {
       hold(tail_V, kLine);
       hold(tip_V, kLine);
       const std::string& tex = arrow.tex.value_or(arrow.of.quantity.tex);
-      if (!tex.empty() && arrow.name_at >= 1) places.push_back(name_beyond(tip_V, tail_V, letters_of(tex)));
+      if (!tex.empty() && arrow.name_at >= 1) extents.push_back(name_beyond(tip_V, tail_V, letters_of(tex)));
     }
     for (const TrailMark& trail : marks.trails)
       if (!trail.on_sphere) hold(vectors.place_V(trail.of, step, then), kLine);
@@ -500,9 +500,9 @@ void add_places_of_marks(const Snapshot& m, Places& places) {
     }
     for (const NoteMark& note : marks.notes) {
       constexpr double kHalfHeight = 0.06, kLetter = 0.035;
-      Place name = ball_at(vectors.place_V(note.at, step, then), kHalfHeight);
+      Extent name = ball_at(vectors.place_V(note.at, step, then), kHalfHeight);
       name.aside = kLetter * static_cast<double>(note.text.size());
-      if (name.center.allFinite()) places.push_back(name);
+      if (name.center.allFinite()) extents.push_back(name);
     }
     for (std::size_t i = 0; i < marks.angles.size(); ++i) {
       constexpr double kName = 0.13;
@@ -520,7 +520,7 @@ void add_places_of_marks(const Snapshot& m, Places& places) {
       const Vec3 normal = vectors.direction_V(plane.normal, step, then);
       const Vec3 through = plane.through ? vectors.place_V(*plane.through, step, then) : Vec3(Vec3::Zero());
       if (normal.allFinite() && through.allFinite())
-        places.push_back(disc_at(through.dot(normal) * normal, normal, radius_of_plane(vectors, plane)));
+        extents.push_back(disc_at(through.dot(normal) * normal, normal, radius_of_plane(vectors, plane)));
     }
   }
 }

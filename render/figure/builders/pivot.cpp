@@ -2,7 +2,7 @@
 // What holds a heavy top: a stand below the pivot, the axle through it, and the weight that turns it.
 #include "render/figure/builders/builders.h"
 #include "render/palette.h"
-#include "render/scene/model/rotor.h"
+#include "render/scene/model/heavy_top_body.h"
 
 #include <cmath>
 #include <numbers>
@@ -59,31 +59,43 @@ void add_axle(const Vec3& axis_V, double far, DrawList& list) {
                shortest_rotation(Vec3::UnitZ(), axis_V), kSteel, list);
 }
 
+/// Where the weight is drawn: below the centre, and before the stand where that would hide it.
+struct WeightEnds {
+  Vec3 tail, tip;
+  bool is_before_stand;
+};
+WeightEnds weight_ends(const Snapshot& m, const Camera& camera, const Vec3& center_V, double length) {
+  const Vec3 tip = center_V - length * (m.q_VS * Vec3::UnitZ());
+  constexpr double kNearStand = 0.12;  // of a top that is all but upright
+  constexpr double kBefore = 0.09;     // half the stand's thickness, and half the arrow's
+  if (m.view != View::space || tip.head<2>().norm() >= kNearStand) return {center_V, tip, false};
+  Vec3 to_eye = camera.eye - camera.target;
+  to_eye.z() = 0.0;
+  const Vec3 before = to_eye.isZero(0.0) ? Vec3(Vec3::Zero()) : Vec3(kBefore * to_eye.normalized());
+  return {center_V + before, tip + before, true};
+}
+
 }  // namespace
 
-void add_pivot(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
+void add_pivot(const Snapshot& m, const Camera& camera, DrawList& list) {
   if (!m.shows(Overlay::pivot)) return;
-  const Rotor rotor = rotor_of(m.model.scene, *heavy_top_of(m.model.scene));
+  const HeavyTopBody body = heavy_top_body(m.model.scene, *heavy_top_of(m.model.scene));
   const double scale = scene_units_per_m(m);
-  const Vec3 center_V = m.q_VB * (scale * rotor.center_B);
-  const Vec3 half = 0.5 * scale * rotor.shape.size_m;
+  const Vec3 center_V = m.q_VB * (scale * body.center_B);
+  const Vec3 half = 0.5 * scale * body.shape.size_m;
   add_axle(center_V.normalized(), center_V.norm() + half.minCoeff() + 0.1, list);
   if (m.view == View::space) add_stand(list);
   constexpr double kBelow = 0.24;
-  const Vec3 tip_V = center_V - (half.maxCoeff() + kBelow) * (m.q_VS * Vec3::UnitZ());
-  list.arrows.push_back(
-      {.tail = center_V, .tip = tip_V, .radius = 0.016, .color = kNRole.paint, .dash = kArrowDash});
-  constexpr double kBeforeStand = 0.12;  // of a top that is all but upright
-  const bool is_before_stand = m.view == View::space && tip_V.head<2>().norm() < kBeforeStand;
-  // With or without `labels`: it is in no list of what is shown, and has the colour and the dashes of
-  // torques.
+  const WeightEnds weight = weight_ends(m, camera, center_V, half.maxCoeff() + kBelow);
+  list.arrows.push_back({.tail = weight.tail, .tip = weight.tip, .radius = 0.016, .color = kNRole.paint});
+  // With or without `labels`: it is in no list of what is shown, and has the colour of torques.
   list.labels.push_back({.text = "weight",
-                         .anchor = tip_V,
+                         .anchor = weight.tip,
                          .color = kNRole.ink,
                          .size = 1.0,
                          .leader = false,
-                         .tail = center_V,
-                         .beside = is_before_stand});
+                         .tail = weight.tail,
+                         .beside = weight.is_before_stand});
 }
 
 }  // namespace polhode::builders

@@ -2,10 +2,10 @@
 // The body itself as lit meshes: box, ellipsoid, cylinder, T-handle.
 #include "physics/body/euler.h"
 #include "render/figure/builders/builders.h"
+#include "render/figure/builders/extents.h"
 #include "render/figure/builders/parts.h"
-#include "render/figure/builders/places.h"
 #include "render/palette.h"
-#include "render/scene/model/rotor.h"
+#include "render/scene/model/heavy_top_body.h"
 
 #include <algorithm>
 #include <array>
@@ -221,10 +221,10 @@ std::vector<Part> parts_of(const Scene& scene, bool on_pivot, Look look = Look::
     if (std::vector<Part> parts = look_of(scene.body, look); !parts.empty()) return parts;
   if (!on_pivot)
     return parts_of(scene.body.shape.value_or(equivalent_box(scene.body.moments, scene.body.mass_kg)));
-  const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
-  std::vector<Part> parts = parts_of(rotor.shape);
-  if (rotor.shape.kind == ShapeKind::cylinder) add_diameters(parts.front(), 0.5 * rotor.shape.size_m);
-  for (Part& part : parts) turn_and_move(part, Quat::Identity(), rotor.center_B);
+  const HeavyTopBody body = heavy_top_body(scene, *heavy_top_of(scene));
+  std::vector<Part> parts = parts_of(body.shape);
+  if (body.shape.kind == ShapeKind::cylinder) add_diameters(parts.front(), 0.5 * body.shape.size_m);
+  for (Part& part : parts) turn_and_move(part, Quat::Identity(), body.center_B);
   return parts;
 }
 

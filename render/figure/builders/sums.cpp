@@ -4,7 +4,7 @@
 #include "physics/exact/powers_of_two.h"
 #include "render/figure/builders/builders.h"
 #include "render/palette.h"
-#include "render/scene/model/arrow.h"
+#include "render/scene/model/transport_arrow.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "render/scene/model/translation.h"
 
 #include "render/figure/builders/builders.h"
-#include "render/figure/builders/places.h"
+#include "render/figure/builders/extents.h"
 #include "render/palette.h"
 
 #include <algorithm>
@@ -122,13 +122,10 @@ void add_arrows(const Snapshot& m, const Vec3& at, const Lengths& lengths, const
     add_arrow(m, Overlay::p, {.tail = at, .tip = at + lengths.p * v_V, .radius = 1.35 * radius, .color = {}},
               "$\\vec p$", kLRole, list);
   if (shown.contains(Overlay::F) && !now.F_S.isZero(0.0))
-    add_arrow(m, Overlay::F,
-              {.tail = at,
-               .tip = at + lengths.F * (m.q_VS * now.F_S.normalized()),
-               .radius = radius,
-               .color = {},
-               .dash = kArrowDash},
-              "$\\vec F$", kNRole, list);
+    add_arrow(
+        m, Overlay::F,
+        {.tail = at, .tip = at + lengths.F * (m.q_VS * now.F_S.normalized()), .radius = radius, .color = {}},
+        "$\\vec F$", kNRole, list);
 }
 
 }  // namespace
@@ -166,13 +163,13 @@ std::vector<Vec3> tips_of_center_V(const Snapshot& m) {
   return tips_V;
 }
 
-void add_places_of_translation(const Snapshot& m, Places& places) {
+void add_extents_of_translation(const Snapshot& m, Extents& extents) {
   constexpr double kRoundPuck = 0.42, kOnPath = 0.03, kName = 0.14;
   const bool puck = m.shows(Overlay::puck);
-  for (const Vec3& at_V : path_of_center_V(m)) places.push_back(ball_at(at_V, puck ? kRoundPuck : kOnPath));
-  for (const Vec3& at_V : tips_of_center_V(m)) places.push_back(ball_at(at_V, kName));
+  for (const Vec3& at_V : path_of_center_V(m)) extents.push_back(ball_at(at_V, puck ? kRoundPuck : kOnPath));
+  for (const Vec3& at_V : tips_of_center_V(m)) extents.push_back(ball_at(at_V, kName));
   if (!puck && m.shows(Overlay::axes_space))
-    for (int i = 0; i < 3; ++i) places.push_back(ball_at(kTriadLength * Vec3::Unit(i), kName));
+    for (int i = 0; i < 3; ++i) extents.push_back(ball_at(kTriadLength * Vec3::Unit(i), kName));
 }
 
 Vec3 center_of_mass_V(const Snapshot& m, double t_s) {

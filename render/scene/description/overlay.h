@@ -2,8 +2,9 @@
 // What a scene can show. To add an overlay: its row here, and a file with the builder that draws it, which is
 // named in a list: kBuilders in render/figure/builders/builders.h of what is drawn in space, kKinds in
 // render/drawing/diagrams/diagram_paper.h of what is drawn on paper. In space it has its label in
-// render/figure/builders/labels.cpp, and in places.cpp where it can come. A stage of
-// docs/overlays/overlays.md shows it, with a picture beside it; lessons/FORMAT.md has a line of it.
+// render/figure/builders/labels.cpp, and in extents.cpp where it can come. A stage of
+// docs/overlays/overlays.md says what it is and shows it, with a picture beside it; lessons/FORMAT.md lists
+// its name, and has a line of it where there is more to know.
 #pragma once
 
 #include "render/scene/description/requirements.h"
@@ -17,44 +18,46 @@
 
 namespace polhode {
 
+/// What each shows: docs/overlays/overlays.md, in a sentence and a picture.
 enum class Overlay {
-  shape,               ///< the body itself, solid
-  energy_ellipsoid,    ///< Σ I_i ω_i² = 2T, ω-space; its surface carries ω's tip
-  momentum_sphere,     ///< |L| = const, L-space, body axes
-  momentum_ellipsoid,  ///< Σ L_i²/I_i = 2T, L-space, body axes
-  omega,               ///< ω, its tip on the energy ellipsoid
-  L,                   ///< L at a fixed length along its direction; under torque true to scale
-  N,                   ///< torque, where it is not zero
-  axes_body,           ///< triad of B: 1, 2, 3
-  axes_space,          ///< triad of S: x, y, z
-  room,                ///< floor and walls at rest in S, behind all else
-  polhode,             ///< path of ω in the body
-  polhode_family,      ///< polhodes of the same energy, coloured by L²/2T
-  separatrix,          ///< the two ellipses L² = 2T·I_mid
-  herpolhode,          ///< path of ω in space, on the invariable plane
-  plane,               ///< invariable plane ω·L = 2T
-  rolling_ticks,       ///< ticks of equal arc length on polhode and herpolhode, which meet in the contact
-  trail_L,             ///< where the tip of L has been
-  trail_omega,         ///< where the tip of ω has been
-  cones,               ///< body cone and space cone swept by ω
-  labels,              ///< names of what is shown
-  values,              ///< computed numbers: moments, 2T, |L|, L²/2T
-  turn_orders,         ///< the body turned about x then y, and about y then x, in two panes
-  p,                   ///< momentum of the centre of mass
-  v,                   ///< velocity of the centre of mass
-  F,                   ///< force on the centre of mass, where it is not zero
-  puck,                ///< a puck that slides beside the body, with its v and p
-  transport,           ///< an arrow A; at its tip d*A/dt, ω×A and dA/dt close a triangle
-  terms,               ///< I·ω̇ and ω×(I·ω) head to tail; their sum is N
-  pivot,               ///< stand and axle of a heavy top
-  tensor_bars,         ///< components of I in S beside those in S*
-  cofactors,           ///< ω×(I·ω) as a determinant, one cofactor after the other
-  cyclic_wheel,        ///< 1→2→3→1, and the term that it gives
-  energy_rows,         ///< the three products ω_i·(10…12), which cancel
-  momentum_rows,       ///< the three products I_i ω_i·(10…12), which cancel
-  cards,               ///< the twelve equations
-  method_table,        ///< methods × step: errors and cost
-  order_plot,          ///< error of each method against its step, and the order that it shows
+  shape,
+  energy_ellipsoid,
+  momentum_sphere,
+  momentum_ellipsoid,
+  omega,
+  L,
+  N,
+  axes_body,
+  axes_space,
+  room,
+  polhode,
+  polhode_family,
+  separatrix,
+  herpolhode,
+  plane,
+  rolling_ticks,
+  trail_L,
+  trail_omega,
+  cones,
+  labels,
+  values,
+  turn_orders,
+  p,
+  v,
+  F,
+  puck,
+  transport,
+  terms,
+  pivot,
+  spin,
+  tensor_bars,
+  cofactors,
+  cyclic_wheel,
+  energy_rows,
+  momentum_rows,
+  cards,
+  method_table,
+  order_plot,
 };
 inline constexpr int kOverlayCount = static_cast<int>(Overlay::order_plot) + 1;
 
@@ -236,6 +239,12 @@ inline constexpr std::array<OverlayFacts, kOverlayCount> kOverlays = [] {
        .words = "the stand and the axle",
        .seen_if = S::pivot,
        .attitude = In::space},
+      {.overlay = O::spin,
+       .name = "spin",
+       .words = "an arrow bent about axis 3, the way the body spins",
+       .seen_if = S::moves,
+       .attitude = In::space,
+       .needs = {&R::omega}},
       {.overlay = O::tensor_bars,
        .name = "tensor-bars",
        .words = "bars of the components of I in space and in the body",

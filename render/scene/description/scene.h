@@ -35,8 +35,8 @@ struct MotionSpec {
   bool operator==(const MotionSpec&) const = default;
 };
 
-/// Where a camera stood, and by which ω the scene began, when the picture was filled: what has been turned or
-/// taken by hand since keeps that frame.
+/// Where a camera stood, and with which ω the scene began, when the picture was fitted to it. A hand that
+/// then turns the camera, or takes ω, leaves the scale as it was fitted.
 struct CameraFit {
   double azimuth_rad = 0, elevation_rad = 0;
   std::optional<Vec3> w0_B = {};  ///< absent: that of the scene
@@ -118,11 +118,15 @@ struct Scene {
   std::string caption;                             ///< one line below the picture
   CaptionWhen caption_when = CaptionWhen::always;  ///< `still`: it speaks of the moment of the still alone
   std::vector<PlotSpec> meters;                    ///< plots of a page
-  std::vector<Scene> beside{};    ///< shown beside it at the same t, at its rate; they have none beside them
-  std::size_t before = 0;         ///< so many of them stand before it: further left, or above
-  std::vector<Variation> vary{};  ///< where there are any, those beside it are this scene at other values of
-                                  ///< the first
-  std::string label{};            ///< below it among those: the value, as a caption is written
+  /// Other scenes, shown beside this one at the same t and at its rate. They have none beside them.
+  std::vector<Scene> beside{};
+  /// How many scenes of `beside` stand before this one, further left or above; the others stand behind it.
+  std::size_t before = 0;
+  /// Numbers that a reader may vary. If there are any, the scenes of `beside` are this scene with other
+  /// values of the first of them.
+  std::vector<Variation> vary{};
+  /// The value of that number in this scene, which stands below its picture; written as a caption is.
+  std::string label{};
   bool operator==(const Scene&) const = default;
 };
 

@@ -159,7 +159,7 @@ void compute_parts(SceneModel& model, const Effort& effort, double chord_toleran
 
 void check_scene(const Scene& scene, const Effort& effort) {
   const Problem problem = problem_of(scene);
-  const Requirements needs = requirements(scene, Product::page);
+  const Requirements needs = requirements(scene, ModelFor::page);
   check_course(scene, problem, *choose_motion(scene, problem, needs, effort).motion, needs);
   for (const Scene& other : scene.beside) check_scene(other, effort);
 }
@@ -180,11 +180,11 @@ bool is_computable(const SceneModel& model, double t_s) {
   return std::all_of(shown.begin(), shown.end(), serves);
 }
 
-SceneModel make_model(const Scene& scene, Product product, const Effort& effort, double chord_tolerance) {
+SceneModel make_model(const Scene& scene, ModelFor use, const Effort& effort, double chord_tolerance) {
   SceneModel model;
   model.scene = scene;
   model.drawn = drawn_overlays(scene);
-  model.needs = requirements(scene, product);
+  model.needs = requirements(scene, use);
   const Problem problem = problem_of(scene);
   model.q0_SB = problem.start.q_SB;
 
@@ -202,9 +202,9 @@ SceneModel make_model(const Scene& scene, Product product, const Effort& effort,
   model.rate = shown_rate(scene);
   if (model.needs.ghost) model.exact = reference_motion(problem, effort);
   compute_parts(model, effort, chord_tolerance);
-  if (product == Product::numbers) return model;
+  if (use == ModelFor::numbers) return model;
   for (const Scene& other : scene.beside) {
-    model.beside.push_back(make_model(other, product, effort, chord_tolerance));
+    model.beside.push_back(make_model(other, use, effort, chord_tolerance));
     model.reach_s = std::min(model.reach_s, model.beside.back().reach_s);
   }
   return model;

@@ -46,7 +46,7 @@ struct SceneModel {
   double longest_term = 0.0;  ///< of I·ω̇ + ω×(I·ω) = N, drawn at full length, N m
   VectorCourses courses;      ///< of the marks, over span_s
   double span_s = 0.0;        ///< what curves over time cover and one loop of a film shows
-  double reach_s = 0.0;       ///< the longest |t| that it, and what is beside it, is to be asked for
+  double reach_s = 0.0;       ///< |t| up to which this motion, and each beside it, may be asked for
   double rate = 1.0;          ///< simulated seconds per shown second
   Curve polhode_B;
   std::vector<PolhodeOfFamily> family_B;
@@ -73,7 +73,7 @@ bool is_computable(const SceneModel& model, double t_s);
 /// told to `effort`, and later what the motion costs: it must outlive the model.
 /// @throws std::domain_error if the body, the state or the chosen method cannot serve; and what `effort`
 /// throws
-SceneModel make_model(const Scene& scene, Product product = Product::figure, const Effort& effort = {},
+SceneModel make_model(const Scene& scene, ModelFor use = ModelFor::figure, const Effort& effort = {},
                       double chord_tolerance = kChordTolerance);
 
 }  // namespace polhode

@@ -2,7 +2,7 @@
 #include "render/scene/model/scene_needs.h"
 
 #include "render/scene/model/drawn_marks.h"
-#include "render/scene/model/rotor.h"
+#include "render/scene/model/heavy_top_body.h"
 #include "render/scene/model/translation.h"
 
 #include <algorithm>
@@ -114,10 +114,10 @@ Requirements requirements_of_figure(const Scene& scene) {
 
 }  // namespace
 
-Requirements requirements(const Scene& scene, Product product) {
-  if (product == Product::numbers) return {.omega = true, .attitude = true};
+Requirements requirements(const Scene& scene, ModelFor use) {
+  if (use == ModelFor::numbers) return {.omega = true, .attitude = true};
   Requirements needs = requirements_of_figure(scene);
-  if (product == Product::figure) return needs;
+  if (use == ModelFor::figure) return needs;
   for (const PlotSpec& plot : scene.meters) {
     needs.meters = needs.omega = true;
     needs.attitude = needs.attitude || needs_attitude(plot, scene);

@@ -23,8 +23,8 @@ std::string what_is_unseen(Overlay overlay, const Scene& scene);
 
 /// What a scene is modelled for. A page has plots besides its figure; numbers need the motion, and nothing of
 /// what is drawn.
-enum class Product { numbers, figure, page };
+enum class ModelFor { numbers, figure, page };
 
-Requirements requirements(const Scene& scene, Product product = Product::figure);
+Requirements requirements(const Scene& scene, ModelFor use = ModelFor::figure);
 
 }  // namespace polhode

@@ -649,8 +649,6 @@ const std::vector<std::string_view>& math_command_names() {
   return kNames;
 }
 
-const std::vector<MathCommand>& math_commands() { return tables().all; }
-
 const MathCommand* math_command(std::string_view name) {
   const auto found = tables().by_name.find(name);
   return found == tables().by_name.end() ? nullptr : found->second;

@@ -73,8 +73,7 @@ struct MathCommand {
 
 /// Of the name behind the backslash; null if it is not known.
 const MathCommand* math_command(std::string_view name);
-/// Every command, in the order of the tables.
-const std::vector<MathCommand>& math_commands();
+/// Of every command, in the order of the tables.
 const std::vector<std::string_view>& math_command_names();
 
 /// The name of a symbol's command, without backslash; empty if it has none.

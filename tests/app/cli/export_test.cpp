@@ -347,6 +347,22 @@ TEST(ExportPages, HaveAllStepsOfAStageEachBesideItsFigure) {
   EXPECT_NE(alt.find("Figure: ", first + 1), alt.npos) << "of each step: " << alt;
 }
 
+TEST(ExportPages, TheLastOfAStageTellsItsAnswersInItsAlternativeTextToo) {
+  const ScratchFolder scratch;
+  const std::filesystem::path lesson = scratch / "asked.md";
+  write_text(lesson,
+             "+++\nformat = 1\nid = \"asked\"\ntitle = \"Asked\"\n+++\n# A {a}\nWords.\n\n---\n\n"
+             "```ask n\ntype = \"number\"\nprompt = \"How long does it take?\"\nanswer = 12.5\n"
+             "unit = \"s\"\nbecause = \"So it is.\"\n```\n# B {b}\nWords.\n");
+  const ProgramRun run =
+      polhode({"export", lesson.string(), "-o", scratch / "out", "--size", "640x400", "--profile", "page"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const Json files = manifest_in(scratch / "out")["files"];
+  EXPECT_THAT(files[0]["alt"].get<std::string>(), testing::EndsWith("Answers: step 2, 12.5 s."));
+  EXPECT_THAT(files.back()["alt"].get<std::string>(), testing::Not(HasSubstr("Answers")))
+      << "nothing was asked";
+}
+
 TEST(ExportPages, OfSeveralStepsAreNoSlidesAndNoFigures) {
   const ScratchFolder scratch;
   for (const Words& words : {Words{"--profile", "slides"}, Words{"--what", "figure"}}) {

@@ -4,6 +4,7 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/or_fail.h"
 #include "base/sha256.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>

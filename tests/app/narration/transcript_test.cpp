@@ -2,7 +2,7 @@
 #include "app/narration/transcript.h"
 
 #include "app/narration/speech_text.h"
-#include "app/page/loaded_lesson.h"
+#include "lessons/reader/checks/lesson_check.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,9 +5,15 @@
 #include "lessons/claims/proof/proof.h"
 #include "lessons/diagnostics/source_text.h"
 #include "lessons/reader/claim_lines.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
 
 namespace polhode {
 namespace {
@@ -64,6 +70,56 @@ TEST(VerdictRow, SaysTheKindInAWordAndWhatIsKnown) {
   EXPECT_EQ(wrong.certainty, Certainty::refuted);
   EXPECT_THAT(row_of("ddt(T) = 0 => N = 0", ClaimKind::non_sequitur).example,
               HasSubstr("the premise holds, and "));
+}
+
+std::string text_of(const char* path) {
+  std::ostringstream text;
+  text << std::ifstream(test::source_dir() / path).rdbuf();
+  return text.str();
+}
+
+/// The verdict of a claim of this kind that holds.
+VerdictRow row_of(ClaimKind kind, Claim::Origin origin) {
+  Claim claim;
+  claim.kind = kind;
+  claim.origin = origin;
+  const Scene scene = spinning();
+  return verdict_row(claim, &scene, nullptr);
+}
+
+TEST(VerdictRow, HasTheWordsThatTheTableOfTheFormatHas) {
+  const std::string format = text_of("lessons/FORMAT.md");
+  const std::size_t begin = format.find("| kind | holds | pages say |");
+  ASSERT_NE(begin, format.npos);
+  for (const std::string& name : claim_kind_names()) {
+    const std::size_t row = format.find("\n| `" + name + "` | ", begin);
+    ASSERT_NE(row, format.npos) << name;
+    const std::string line = format.substr(row + 1, format.find('\n', row + 1) - row - 1);
+    const std::string said = line.substr(line.rfind('|', line.size() - 2));
+    for (const Claim::Origin origin : {Claim::Origin::beside, Claim::Origin::formula}) {
+      const VerdictRow verdict = row_of(*claim_kind_from(name), origin);
+      EXPECT_THAT(said, HasSubstr(verdict.word));
+      EXPECT_EQ(said.find("✓ " + verdict.word) != said.npos, verdict.certainty == Certainty::proved) << said;
+      EXPECT_EQ(said.find("✗ " + verdict.word) != said.npos, verdict.certainty == Certainty::refuted) << said;
+    }
+  }
+}
+
+// The lecture tells a student what each word means.
+TEST(VerdictRow, HasTheWordsThatTheLectureExplains) {
+  const std::string lecture = text_of("lessons/euler-equations.md");
+  const std::size_t begin = lecture.find("## Most formulas say why they hold");
+  ASSERT_NE(begin, lecture.npos);
+  const std::string list = lecture.substr(begin, lecture.find("\n```", begin) - begin);
+  std::set<std::string> explained, said;
+  static const std::regex kBold(R"re(\*\*([^*]+)\*\*)re");
+  for (std::sregex_iterator at(list.begin(), list.end(), kBold), end; at != end; ++at)
+    explained.insert((*at)[1].str());
+  for (const std::string& name : claim_kind_names()) {
+    const ClaimKind kind = *claim_kind_from(name);
+    if (kind != ClaimKind::non_sequitur) said.insert(row_of(kind, Claim::Origin::beside).word);
+  }
+  EXPECT_EQ(explained, said) << "non-sequiturs say of themselves that something does not follow";
 }
 
 TEST(VerdictRow, WhatIsNotProvedIsNotCalledSo) {

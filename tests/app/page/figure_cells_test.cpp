@@ -18,7 +18,7 @@ class Figures {
       Step step;
       step.scene = std::make_shared<const Scene>(scene);
       lesson_.stages[0].steps.push_back(std::move(step));
-      models_.push_back(make_model(scene, Product::page));
+      models_.push_back(make_model(scene, ModelFor::page));
       steps_.push_back({static_cast<int>(models_.size()), &models_.back(), 0.1});
     }
   }

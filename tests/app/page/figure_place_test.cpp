@@ -150,6 +150,15 @@ TEST(FigurePlace, ScenesSideBySideShareThePlace) {
   }
 }
 
+TEST(FigurePlace, PicturesSideBySideEndAtOneHeightWhateverTheirCaptions) {
+  Scene first = three_scenes({Overlay::omega});
+  first.beside[0].caption = "A caption of more words than the width of its picture has room for in a line";
+  const PlacedFigure figure = placed(first, {900, 500});
+  ASSERT_EQ(figure.insets.size(), 3u);
+  for (const Inset& inset : figure.insets) EXPECT_EQ(inset.place.height, figure.insets.front().place.height);
+  EXPECT_EQ(texts_of(figure.sheet, "A caption").size(), 2u);
+}
+
 TEST(FigurePlace, EachSceneHasItsOwnCaptionViewsAndBoards) {
   Scene first = three_scenes({Overlay::omega});
   first.beside[0].caption = "Another";

@@ -2,8 +2,8 @@
 #include "app/page/live_numbers.h"
 
 #include "app/narration/still_numbers.h"
-#include "app/page/loaded_lesson.h"
 #include "lessons/claims/live_claims.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "render/typeset/paragraph.h"
 #include "tests/app/page/sheet_checks.h"
 
@@ -95,7 +95,7 @@ TEST(PageNumbers, ThatRunHaveTheRoomOfTheWidest) {
 }
 
 TEST(PageNumbers, TakeTheirRoomFromTheScenesInterval) {
-  const SceneModel model = make_model(*top().stages[0].steps[0].scene, Product::page);
+  const SceneModel model = make_model(*top().stages[0].steps[0].scene, ModelFor::page);
   const auto values = values_over(model, top(), {0});
   // dω3/dt = 1 rad/s² from 3 rad/s on, for 40 s.
   EXPECT_NEAR(*std::min_element(values.at(0).begin(), values.at(0).end()), 3, 1e-6);
@@ -104,7 +104,7 @@ TEST(PageNumbers, TakeTheirRoomFromTheScenesInterval) {
 
 TEST(Captions, HaveTheirNumbers) {
   const Step& step = top().stages[0].steps[0];
-  const SceneModel model = make_model(*step.scene, Product::page);
+  const SceneModel model = make_model(*step.scene, ModelFor::page);
   EXPECT_EQ(captions_at(top(), step, model, 0).at(0), "Spin ${3.0}\\,\\text{rad/s}$ now, \\$");
   EXPECT_EQ(captions_at(top(), step, model, 9.2).at(0), "Spin ${12}\\,\\text{rad/s}$ now, \\$");
   const LongestNumbers longest = longest_in_captions(top(), step, model);
@@ -134,7 +134,7 @@ show = ["plane", "omega"]
   ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
   const Step& step = reading.lesson->stages[0].steps[0];
   const ComputedNumber& number = reading.lesson->numbers.at(0);
-  const auto page = live_state(make_model(*step.scene, Product::page), 0);
+  const auto page = live_state(make_model(*step.scene, ModelFor::page), 0);
   ASSERT_TRUE(page);
   StillNumbers numbers;
   EXPECT_EQ(numbers.of(*reading.lesson, step).at(0), value_of(number, *page));

@@ -4,8 +4,8 @@
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
 #include "app/narration/still_numbers.h"
-#include "app/page/loaded_lesson.h"
 #include "app/page/page_text.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/page/sheet_checks.h"
 #include "tests/support/paths.h"
 
@@ -61,6 +61,16 @@ TEST(PageDivision, OfDivisionsThatAreAsGoodTheQuestionEndsItsPage) {
               ElementsAre(2, 4));
   EXPECT_THAT(pages_of(lesson_of(long_step + long_step + kQuestion + "\n---\n\n" + lines(3))),
               ElementsAre(3, 4));
+}
+
+TEST(PageDivision, NothingFollowsAPrediction) {
+  constexpr const char* kPrediction =
+      "```ask p\ntype = \"predict\"\nprompt = \"Which?\"\nbecause = \"So it is.\"\n\n- [x] this\n- [ ] "
+      "that\n```\n";
+  for (const int long_part : {1, 10, 20})
+    EXPECT_THAT(pages_of(lesson_of(std::string(kPrediction) + "\n---\n\n" + lines(long_part))),
+                ElementsAre(1, 2))
+        << long_part;
 }
 
 TEST(PageDivision, APageHasNoMorePicturesThanOneCanSee) {

@@ -2,9 +2,9 @@
 // Pages whose reader has chosen larger or smaller type.
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
-#include "app/page/loaded_lesson.h"
 #include "app/page/page.h"
 #include "app/page/page_text.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/page/sheet_checks.h"
 #include "tests/support/paths.h"
 
@@ -69,7 +69,7 @@ class TextSize : public testing::TestWithParam<std::size_t> {};
 TEST_P(TextSize, KeepsPagesValid) {
   const Stage& stage = lecture().stages[GetParam()];
   const Step& step = stage.steps.back();
-  const SceneModel model = step.scene ? make_model(*step.scene, Product::page) : SceneModel();
+  const SceneModel model = step.scene ? make_model(*step.scene, ModelFor::page) : SceneModel();
   for (const Size& size : kSizes)
     for (const double text_scale : {kLeastTextScale, 1.4, kMostTextScale}) {
       SCOPED_TRACE(fmt::format("{}x{} at {}", size.width, size.height, text_scale));
@@ -98,7 +98,7 @@ TEST(TextSize, IsThatOfTheTypeWhereThereIsRoom) {
       "[\"shape\"]\n```\n",
       "page.md");
   ASSERT_TRUE(reading.lesson);
-  const SceneModel model = make_model(*reading.lesson->stages[0].steps[0].scene, Product::page);
+  const SceneModel model = make_model(*reading.lesson->stages[0].steps[0].scene, ModelFor::page);
   const auto page_at = [&](double text_scale, const SceneModel* shown, Size size) {
     return compose_page({.lesson = *reading.lesson,
                          .stage = reading.lesson->stages[0],

@@ -54,7 +54,7 @@ class Slides {
   Page page(int step) const {
     const auto& scene = stage().steps[static_cast<std::size_t>(step - 1)].scene;
     if (!scene) return compose_page(request(step, nullptr), test_fonts()).value();
-    const SceneModel model = make_model(*scene, Product::page);
+    const SceneModel model = make_model(*scene, ModelFor::page);
     return compose_page(request(step, &model), test_fonts()).value();
   }
 
@@ -100,7 +100,7 @@ TEST(Slide, WhatItGoesOnFromStandsBelowItsWordsWhereNoLineHoldsIt) {
     const std::string stages = "# A stage {s}\n\nWords.\n\n```math first\n" + tex +
                                "\n```\n\n```scene\n```\n\n---\n\n" + words + "\n\n```scene\nat = 1\n```\n";
     const Slides slides(stages);
-    const SceneModel model = make_model(*slides.stage().steps[1].scene, Product::page);
+    const SceneModel model = make_model(*slides.stage().steps[1].scene, ModelFor::page);
     const FittedText text = text_of_page(slides.request(2, &model), test_fonts()).value();
     return std::pair(text.recalled != nullptr, text.scale);
   };
@@ -169,7 +169,7 @@ TEST(Slide, WhatIsTooMuchIsSmallerAndNeverCut) {
 
 TEST(Slide, IsTheSameWithATypeThatWasFoundBefore) {
   const Slides slides(kTwoSteps);
-  const SceneModel model = make_model(*slides.stage().steps[0].scene, Product::page);
+  const SceneModel model = make_model(*slides.stage().steps[0].scene, ModelFor::page);
   PageRequest request = slides.request(1, &model);
   const SlideType type = slide_type_of(request, test_fonts()).value();
   const Page found = compose_page(request, test_fonts()).value();

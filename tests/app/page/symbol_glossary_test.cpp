@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/symbol_glossary.h"
 
-#include "app/page/loaded_lesson.h"
 #include "app/page/page.h"
 #include "app/page/page_theme.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/page/sheet_checks.h"
 
 #include <gtest/gtest.h>

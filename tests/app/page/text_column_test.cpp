@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/text_column.h"
 
-#include "app/page/loaded_lesson.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/page/sheet_checks.h"
 
 #include <gmock/gmock.h>

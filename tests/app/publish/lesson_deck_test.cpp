@@ -2,8 +2,8 @@
 // From a lesson to its deck, and `polhode export --deck`.
 #include "app/publish/lesson_deck.h"
 
-#include "app/narration/step_notes.h"
-#include "app/page/loaded_lesson.h"
+#include "app/narration/step_transcript.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/publish/example_deck.h"
 
 #include <gmock/gmock.h>

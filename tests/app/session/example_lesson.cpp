@@ -3,6 +3,7 @@
 
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "tests/support/paths.h"
 
 #include <stdexcept>

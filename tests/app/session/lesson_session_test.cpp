@@ -15,8 +15,8 @@ using test::example;
 using ::testing::ElementsAre;
 using Mark = AnswerJudgement::Mark;
 
-std::vector<Place> all_places(const Lesson& lesson) {
-  std::vector<Place> places;
+std::vector<StepPlace> all_places(const Lesson& lesson) {
+  std::vector<StepPlace> places;
   for (std::size_t stage = 0; stage < lesson.stages.size(); ++stage)
     for (std::size_t step = 0; step < lesson.stages[stage].steps.size(); ++step)
       places.push_back({stage, step});
@@ -26,7 +26,7 @@ std::vector<Place> all_places(const Lesson& lesson) {
 TEST(LessonSession, WalksThroughEveryStepOfEveryLessonAndBack) {
   for (const char* id : test::kLessons) {
     LessonSession session(test::loaded_lesson(id));
-    const std::vector<Place> places = all_places(session.lesson());
+    const std::vector<StepPlace> places = all_places(session.lesson());
     for (std::size_t i = 0; i < places.size(); ++i) {
       EXPECT_EQ(session.place(), places[i]);
       EXPECT_EQ(session.model() != nullptr, session.has_scene());
@@ -45,15 +45,15 @@ TEST(LessonSession, GoesFromStageToStageByTheirBeginnings) {
   LessonSession session(example());
   session.go_to({0, 2});
   EXPECT_TRUE(session.previous_stage());
-  EXPECT_EQ(session.place(), (Place{0, 0})) << "first to the beginning of this one";
+  EXPECT_EQ(session.place(), (StepPlace{0, 0})) << "first to the beginning of this one";
   EXPECT_FALSE(session.previous_stage());
   session.go_to({0, 2});
   EXPECT_TRUE(session.next_stage());
   EXPECT_TRUE(session.next_stage());
-  EXPECT_EQ(session.place(), (Place{2, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{2, 0}));
   EXPECT_FALSE(session.next_stage());
   EXPECT_TRUE(session.previous_stage());
-  EXPECT_EQ(session.place(), (Place{1, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{1, 0}));
 }
 
 // 2026-11-26: `--stage words` on a first start counted the first stage as seen.
@@ -70,9 +70,9 @@ TEST(LessonSession, WhereItIsBegunNothingElseWasSeen) {
 TEST(LessonSession, TakesThePlaceNearestToOneThatDoesNotExist) {
   LessonSession session(example());
   session.go_to({0, 99});
-  EXPECT_EQ(session.place(), (Place{0, 3}));
+  EXPECT_EQ(session.place(), (StepPlace{0, 3}));
   session.go_to({99, 99});
-  EXPECT_EQ(session.place(), (Place{2, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{2, 0}));
 }
 
 TEST(LessonSession, KnowsWhichStagesWereSeen) {
@@ -95,7 +95,7 @@ TEST(LessonSession, TravelsForwardWithinAStageOnly) {
   session.advance(kMorphSeconds);
   EXPECT_EQ(session.transition(), 1);
   EXPECT_FALSE(session.is_moving());
-  for (const Place place : {Place{0, 0}, Place{0, 2}, Place{1, 0}}) {
+  for (const StepPlace place : {StepPlace{0, 0}, StepPlace{0, 2}, StepPlace{1, 0}}) {
     session.go_to(place);
     EXPECT_EQ(session.transition(), 1) << place.stage << ' ' << place.step;
   }
@@ -182,14 +182,14 @@ TEST(LessonSession, StaysWhereItWasInAnotherReadingOfTheLesson) {
   std::string longer = text;
   longer.replace(longer.find("\n# Free {free}"), 14, more);
   session.replace_lesson(test::loaded_text(longer));
-  EXPECT_EQ(session.place(), (Place{1, 3}));
+  EXPECT_EQ(session.place(), (StepPlace{1, 3}));
   EXPECT_EQ(session.t_s(), 0.25);
   EXPECT_TRUE(session.is_playing());
   EXPECT_EQ(session.model()->scene.w0_B, Vec3(1, 2, 3));
 
   std::string shorter = text.substr(0, text.find("\n---"));
   session.replace_lesson(test::loaded_text(shorter));
-  EXPECT_EQ(session.place(), (Place{0, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{0, 0}));
   EXPECT_THAT(session.visited(), ElementsAre("free"));
   std::string other = text.substr(0, text.find("\n# Free")) + "\n# Other {other}\n\nText.\n";
   session.replace_lesson(test::loaded_text(other));

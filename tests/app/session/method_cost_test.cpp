@@ -2,7 +2,6 @@
 #include "app/session/method_cost.h"
 
 #include "app/session/accuracy_meter.h"
-#include "tests/app/session/example_lesson.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,10 +15,8 @@
 namespace polhode {
 namespace {
 
-using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
-using testing::Not;
 
 Scene scene_with(const MotionSpec& motion) {
   Scene scene;
@@ -31,7 +28,7 @@ Scene scene_with(const MotionSpec& motion) {
 }
 
 AccuracyReading meter_of(const Scene& scene, double t_s) {
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   return AccuracyMeter(model).at(model, t_s);
 }
 
@@ -66,7 +63,7 @@ TEST(AccuracyMeter, ErrorAndDriftVanishAtTheStart) {
 // Explicit Euler gains energy at every step, so that the largest drift is the one at the end.
 TEST(AccuracyMeter, TheDriftIsTheLargestOnTheWay) {
   const Scene scene = scene_with({.method = Method::explicit_euler, .step_s = 0.01});
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   const AccuracyMeter meter(model);
   const double t_s = 20;
   const RigidBodyState end = model.motion->at(t_s);
@@ -86,7 +83,7 @@ TEST(AccuracyMeter, TorqueLeavesNothingToCompareWith) {
 
 TEST(AccuracyMeter, BeyondTheReachAllIsNaN) {
   const Scene scene = scene_with({.method = Method::rk4, .step_s = 1e-9});
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   const AccuracyReading meter = AccuracyMeter(model).at(model, 100 * model.motion->max_time_s());
   EXPECT_TRUE(std::isnan(meter.error.value().omega));
   EXPECT_TRUE(std::isnan(meter.drift.T) && std::isnan(meter.ns_per_frame));
@@ -102,11 +99,11 @@ TEST(AccuracyMeter, ABodyAtRestHasATradeToo) {
 TEST(AccuracyMeter, AFrameCostsWhatItsStepsCost) {
   const auto ns_with_step = [](double step_s) {
     const SceneModel model =
-        make_model(scene_with({.method = Method::rk4_projected, .step_s = step_s}), Product::page);
+        make_model(scene_with({.method = Method::rk4_projected, .step_s = step_s}), ModelFor::page);
     static_cast<void>(model.motion->at(2));
     return AccuracyMeter(model).at(model, 1).ns_per_frame;
   };
-  const double frame_s = make_model(scene_with({}), Product::page).rate / 25;
+  const double frame_s = make_model(scene_with({}), ModelFor::page).rate / 25;
   const double ratio = ns_with_step(frame_s / 20'000) / ns_with_step(frame_s / 2000);
   EXPECT_GT(ratio, 4);
   EXPECT_LT(ratio, 25);
@@ -175,37 +172,6 @@ TEST(FrontMeasurement, IsLeftWithoutWaitingForItsEnd) {
     EXPECT_FALSE(measurement.is_ready());
   }
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
-}
-
-// 2026-11-26: "the scene asks for it" was said of a method that the reader had chosen.
-TEST(WhyMethod, IsNotTheSceneWhereTheReaderChose) {
-  LessonSession session(test::example());
-  EXPECT_EQ(why_method(session), session.model()->why);
-  SceneEdits edits;
-  edits.motion = MotionSpec{.method = Method::rk4, .step_s = 0.01};
-  ASSERT_TRUE(session.set_edits(edits));
-  EXPECT_EQ(why_method(session), "chosen here, in place of the lesson's");
-  session.reset_edits();
-  EXPECT_EQ(why_method(session), session.model()->why);
-}
-
-TEST(RequirementWords, TellWhatIsComputedAndWhatIsNot) {
-  Scene scene = scene_with({});
-  scene.views = {View::body};
-  scene.show = {Overlay::omega, Overlay::polhode};
-  const RequirementWords words = requirement_words(make_model(scene));
-  EXPECT_THAT(words.computed, ElementsAre("ω(t)", "polhode"));
-  EXPECT_THAT(words.left_out, Contains("attitude"));
-  EXPECT_THAT(words.left_out, Contains("herpolhode"));
-  EXPECT_THAT(words.left_out, Not(Contains("polhode")));
-}
-
-// A requirement that came later would be missing from the words.
-TEST(RequirementWords, HaveAWordForEachRequirement) {
-  SceneModel model;
-  std::fill_n(reinterpret_cast<bool*>(&model.needs), sizeof model.needs / sizeof(bool), true);
-  EXPECT_EQ(requirement_words(model).computed.size(), names_of(model.needs).size());
-  EXPECT_THAT(requirement_words(model).left_out, IsEmpty());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is changed of the scene by hand.
 #include "app/session/lesson_session.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/session/example_lesson.h"
 
 #include <gmock/gmock.h>

@@ -57,7 +57,7 @@ TEST(Undo, GivesBackWhatWasResetAndLeavesTheCamera) {
 
 TEST(Undo, WhatWasChangedIsThereAgainWhenOneComesBack) {
   LessonSession session(example());
-  const Place here = session.place();
+  const StepPlace here = session.place();
   start_with(session, {1, 0, 0.1});
   session.next_stage();
   session.go_to(here);

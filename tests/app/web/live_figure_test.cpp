@@ -2,17 +2,22 @@
 #include "app/web/live_figure.h"
 
 #include "app/page/page.h"
-#include "app/session/figure_interaction.h"
+#include "app/session/camera_moves.h"
 #include "app/web/live_json.h"
 #include "physics/body/euler.h"
 #include "physics/method.h"
 #include "render/scene/model/scene_problem.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 
 namespace polhode {
@@ -139,12 +144,12 @@ TEST(LiveFigure, ReadsAStageWhenItIsShown) {
   ASSERT_FALSE(broken);
   EXPECT_NE(broken.error().find("no-such-body"), std::string::npos) << broken.error();
   EXPECT_EQ(vector_of(state_of(figure).at("omega0")), Vec3(1, 2, 3)) << "what was shown stays";
-  EXPECT_FALSE(figure.lay_out(kSize, LiveFigure::Picture::page, 1)) << "a slide has the lesson whole";
+  EXPECT_FALSE(figure.lay_out(kSize, LiveFigure::Picture::slide, 1)) << "a slide has the lesson whole";
   open(figure);
   ASSERT_TRUE(figure.set_omega({1, 2, 3}));
   ASSERT_TRUE(figure.set_time(0.5));
   const Json before = state_of(figure);
-  ASSERT_TRUE(figure.lay_out(kSize, LiveFigure::Picture::page, 1));
+  ASSERT_TRUE(figure.lay_out(kSize, LiveFigure::Picture::slide, 1));
   EXPECT_EQ(figure.session()->lesson().stages[1].steps[0].blocks.size(), 1U);
   const Json after = state_of(figure);
   for (const char* name : {"stage", "omega0", "t", "changed"}) EXPECT_EQ(after.at(name), before.at(name));
@@ -186,6 +191,48 @@ TEST(LiveFigure, TellsTheMotionWithAllItsDigits) {
   const Vec3 sum =
       vector_of(state.at("terms").at("inertial")) + vector_of(state.at("terms").at("gyroscopic"));
   EXPECT_LT(sum.norm(), 1e-10);  // N = 0; the rate is a difference quotient
+}
+
+/// The keys of all objects in it.
+void add_keys(const Json& json, std::set<std::string>& keys) {
+  if (json.is_object())
+    for (const auto& [key, value] : json.items()) keys.insert(key);
+  if (json.is_structured())
+    for (const Json& part : json) add_keys(part, keys);
+}
+
+std::set<std::string> keys_of(const std::string& text) {
+  std::set<std::string> keys;
+  add_keys(Json::parse(text), keys);
+  return keys;
+}
+
+/// The keys that live_api.h says an answer has: what stands in quotes above the function, but for values.
+std::set<std::string> described_keys(const std::string& function) {
+  std::ostringstream header;
+  header << std::ifstream(test::source_dir() / "app/web/live_api.h").rdbuf();
+  std::string text = header.str();
+  const std::size_t end = text.find(function);
+  EXPECT_NE(end, text.npos) << function;
+  text.resize(end);
+  text.erase(0, text.rfind(";\n") + 1);
+  static const std::regex kValue(R"re(": *"\w+"(\|"\w+")*)re"), kKey(R"re("(\w+)")re");
+  text = std::regex_replace(text, kValue, "\"");
+  std::set<std::string> keys;
+  for (std::sregex_iterator at(text.begin(), text.end(), kKey), none; at != none; ++at)
+    keys.insert((*at)[1].str());
+  return keys;
+}
+
+TEST(LiveFigure, SaysWhatItsHeaderLists) {
+  LiveFigure figure;
+  open(figure);
+  EXPECT_EQ(keys_of(words_json(figure)), described_keys("const char* polhode_words(void)"));
+  ASSERT_TRUE(figure.set_method("explicit-euler", 0.01));
+  ASSERT_TRUE(figure.set_time(1));
+  ASSERT_TRUE(figure.lay_out(kSize, LiveFigure::Picture::figure, 1));
+  EXPECT_EQ(keys_of(state_json(figure, "")), described_keys("const char* polhode_state(void)"));
+  EXPECT_EQ(keys_of(choices_json(figure)), described_keys("const char* polhode_choices(void)"));
 }
 
 TEST(LiveFigure, AMethodHasItsErrorAgainstTheClosedForm) {
@@ -304,7 +351,7 @@ TEST(LiveFigure, DrawsThePictureOfAReadersPage) {
   ASSERT_TRUE(figure.draw(kSize, LiveFigure::Picture::figure, 1));
   EXPECT_NE(figure.read()->rgba, first->rgba);
   ASSERT_TRUE(figure.reset());
-  ASSERT_TRUE(figure.draw(kSize, LiveFigure::Picture::page, 1)) << "the slide";
+  ASSERT_TRUE(figure.draw(kSize, LiveFigure::Picture::slide, 1)) << "the slide";
   EXPECT_NE(figure.read()->rgba, first->rgba);
   figure.detach();
   EXPECT_FALSE(figure.read());

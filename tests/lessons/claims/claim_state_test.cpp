@@ -64,8 +64,8 @@ TEST(ClaimState, EulersRateBalancesTheTorque) {
 
 TEST(ClaimState, AnAssumptionOverrulesTheNumbers) {
   const StateNumbers<Field> n = random_numbers(2);
-  const auto any = state_of(n, Assumption::identity), motion = state_of(n, Assumption::motion),
-             free = state_of(n, Assumption::free);
+  const auto any = state_of(n, LawsAssumed::identity), motion = state_of(n, LawsAssumed::motion),
+             free = state_of(n, LawsAssumed::free);
   const auto balanced = euler_rate(n.I, n.w, n.N_B);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(any.w_B[i].rate, n.dw[i]);
@@ -89,7 +89,7 @@ TEST(ClaimState, AnAssumptionOverrulesTheNumbers) {
 // I ω̈ + ω̇×Iω + ω×Iω̇ = dN/dt, component by component on the body axes.
 TEST(ClaimState, EulersEquationsHoldAllTheTime) {
   const StateNumbers<Field> n = random_numbers(4);
-  const auto state = state_of(n, Assumption::motion);
+  const auto state = state_of(n, LawsAssumed::motion);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     const auto L = [&](std::size_t at) { return n.I[at] * state.w_B[at].value; };
@@ -109,21 +109,21 @@ TEST(ClaimState, WhatIsGivenHoldsAllTheTime) {
   Given damped, heavy;
   damped.settings = {set(Quantity::N1, "-k*w1"), set(Quantity::F, "h*e3")};
   heavy.settings = {set(Quantity::I2, "I1"), set(Quantity::N, "h*cross(ez, e3)")};
-  for (const Assumption assumption : {Assumption::identity, Assumption::motion}) {
-    const auto state = state_of(n, assumption, damped);
+  for (const LawsAssumed laws : {LawsAssumed::identity, LawsAssumed::motion}) {
+    const auto state = state_of(n, laws, damped);
     ASSERT_TRUE(state);
     EXPECT_EQ(state->N_B[0].rate, -(n.k * state->w_B[0].rate));
     EXPECT_EQ(state->N_B[1].rate, n.dN_B[1]) << "nothing is said of it";
     for (const auto& [left, right] : {std::pair("ddt(F)", "h*ddt(e3)"), std::pair("ddt(N1)", "-k*dw1")})
       EXPECT_EQ(agree(equality(left, right), *state), std::optional(true)) << left;
-    const auto top = state_of(n, assumption, heavy);
+    const auto top = state_of(n, laws, heavy);
     ASSERT_TRUE(top);
     EXPECT_EQ(agree(equality("ddt(N)", "h*cross(ez, cross(omega, e3))"), *top), std::optional(true));
   }
 }
 
 TEST(ClaimState, SidesAgreeDifferOrAreNotDefined) {
-  const auto state = state_of(random_numbers(1), Assumption::identity);
+  const auto state = state_of(random_numbers(1), LawsAssumed::identity);
   EXPECT_EQ(agree(equality("w1 + w2", "w2 + w1"), state), std::optional(true));
   EXPECT_EQ(agree(equality("w1", "w2"), state), std::optional(false));
   EXPECT_EQ(agree(equality("e3", "cross(e2, e1)"), state), std::optional(false));
@@ -134,7 +134,7 @@ TEST(ClaimState, SidesAgreeDifferOrAreNotDefined) {
 
 TEST(ClaimState, AResidualIsRelativeToTheTermsOfTheLargerSide) {
   const auto vector = [](SizedNumber a, SizedNumber b) {
-    return Triple<SizedNumber, 0>{{{a, 0}, {b, 0}, {SizedNumber(0), 0}}};
+    return ComponentJets<SizedNumber, 0>{{{a, 0}, {b, 0}, {SizedNumber(0), 0}}};
   };
   EXPECT_EQ(relative_residual(vector(0, 0), vector(0, 0)), 0.0);
   EXPECT_EQ(relative_residual(vector(3, 0), vector(3, 0)), 0.0);
@@ -149,7 +149,7 @@ TEST(ClaimState, SidesInDoublesAreThereWhereTheyAreFinite) {
   StateNumbers<SizedNumber> numbers;
   numbers.I = {SizedNumber(2), SizedNumber(3), SizedNumber(4)};
   numbers.w = {SizedNumber(1), SizedNumber(2), SizedNumber(0)};
-  const auto state = state_of(numbers, Assumption::identity);
+  const auto state = state_of(numbers, LawsAssumed::identity);
   const auto sides = sides_of(equality("L", "2*omega"), state);
   ASSERT_TRUE(sides);
   EXPECT_EQ(sides->left[1].value.value, 6.0);

@@ -3,7 +3,7 @@
 
 #include "lessons/claims/expressions/expression_names.h"
 #include "lessons/claims/proof/proof.h"
-#include "lessons/claims/proof/small_states.h"
+#include "lessons/claims/proof/whole_number_states.h"
 #include "tests/lessons/support.h"
 
 #include <gmock/gmock.h>
@@ -105,11 +105,11 @@ TEST(Given, ProvesWhatHoldsUnderItAndNothingElse) {
 }
 
 TEST(Given, ACounterexampleIsAStateAsIsGiven) {
-  const auto counter = prover().refute({expression("dw1"), expression("0")}, Assumption::free, symmetric());
+  const auto counter = prover().refute({expression("dw1"), expression("0")}, LawsAssumed::free, symmetric());
   ASSERT_TRUE(counter);
   EXPECT_THAT(counter->state, HasSubstr("I = (2, 2, "));
   const auto heavy_one =
-      prover().refute({expression("ddt(dot(L, ex))"), expression("0")}, Assumption::motion, heavy());
+      prover().refute({expression("ddt(dot(L, ex))"), expression("0")}, LawsAssumed::motion, heavy());
   ASSERT_TRUE(heavy_one);
   EXPECT_THAT(heavy_one->state, HasSubstr("mgl = 2"));
   EXPECT_THAT(heavy_one->state, HasSubstr("attitude = (1, "));

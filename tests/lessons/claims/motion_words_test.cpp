@@ -32,7 +32,7 @@ std::optional<double> value_on(const Scene& scene, const std::string& text, doub
     ADD_FAILURE() << text;
     return std::nullopt;
   }
-  const SceneModel model = make_model(scene, Product::numbers);
+  const SceneModel model = make_model(scene, ModelFor::numbers);
   return MotionNumbers(model, t_s).value_of(*expression);
 }
 
@@ -139,7 +139,7 @@ TEST(MotionWords, AreNoWordsOfALessonThatHasThemItself) {
   const auto expression = read_expression("period", {1, 1}, report.report, &vocabulary);
   ASSERT_TRUE(expression);
   EXPECT_FALSE(has_motion_words(*expression));
-  const SceneModel model = make_model(pencil(), Product::numbers);
+  const SceneModel model = make_model(pencil(), ModelFor::numbers);
   EXPECT_EQ(MotionNumbers(model, 0).value_of(*expression), 2.5);
 }
 

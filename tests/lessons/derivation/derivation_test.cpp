@@ -27,13 +27,13 @@ DerivedLine line(std::string_view typed) {
   return std::move(read).value();
 }
 
-Derivation derivation(const char* start, const char* goal, Assumption assumption,
+Derivation derivation(const char* start, const char* goal, LawsAssumed laws,
                       std::initializer_list<const char*> facts,
                       std::initializer_list<const char*> worked = {}) {
   Derivation made;
   made.start = line(start);
   made.goal = line(goal);
-  made.assumption = assumption;
+  made.laws = laws;
   for (const char* fact : facts) made.facts.push_back(line(fact));
   for (const char* one : worked) made.worked.push_back({line(one), "", ""});
   made.letters = letters_of(made);
@@ -43,20 +43,20 @@ Derivation derivation(const char* start, const char* goal, Assumption assumption
 /// Those that the lines of tests/data/derivations/lines.tsv belong to.
 std::map<std::string, Derivation> derivations() {
   std::map<std::string, Derivation> all;
-  all["tensor"] = derivation("dL/dt = N", "I d*omega/dt + omega x (I omega) = N", Assumption::motion,
+  all["tensor"] = derivation("dL/dt = N", "I d*omega/dt + omega x (I omega) = N", LawsAssumed::motion,
                              {"dA/dt = d*A/dt + omega x A", "L = I omega"});
   all["component"] = derivation("I d*omega/dt + omega x (I omega) = N", "I2 w2' + (I1 - I3) w3 w1 = N2",
-                                Assumption::motion, {"L = I omega"});
+                                LawsAssumed::motion, {"L = I omega"});
   all["cofactor"] = derivation("comp(omega x L, 2) = w3 L1 - w1 L3", "comp(omega x L, 2) = (I1 - I3) w3 w1",
-                               Assumption::identity, {"L1 = I1 w1", "L2 = I2 w2", "L3 = I3 w3"});
+                               LawsAssumed::identity, {"L1 = I1 w1", "L2 = I2 w2", "L3 = I3 w3"});
   const auto euler = {"I1 w1' = (I2 - I3) w2 w3", "I2 w2' = (I3 - I1) w3 w1", "I3 w3' = (I1 - I2) w1 w2"};
-  all["energy"] = derivation("T = 1/2 (I1 w1^2 + I2 w2^2 + I3 w3^2)", "dT/dt = 0", Assumption::free, euler,
+  all["energy"] = derivation("T = 1/2 (I1 w1^2 + I2 w2^2 + I3 w3^2)", "dT/dt = 0", LawsAssumed::free, euler,
                              {"dT/dt = (I2 - I3) w1 w2 w3 + (I3 - I1) w1 w2 w3 + (I1 - I2) w1 w2 w3"});
-  all["length"] = derivation("|L|^2 = (I1 w1)^2 + (I2 w2)^2 + (I3 w3)^2", "d|L|^2/dt = 0", Assumption::free,
+  all["length"] = derivation("|L|^2 = (I1 w1)^2 + (I2 w2)^2 + (I3 w3)^2", "d|L|^2/dt = 0", LawsAssumed::free,
                              euler, {"d|L|^2/dt = 2 w1 w2 w3 (I1 (I2 - I3) + I2 (I3 - I1) + I3 (I1 - I2))"});
   all["transport"] = derivation("A = A1 e1 + A2 e2 + A3 e3", "dA/dt = d*A/dt + omega x A",
-                                Assumption::identity, {"de1/dt = omega x e1"});
-  all["power"] = derivation("T = 1/2 omega . L", "dT/dt = omega . N", Assumption::motion,
+                                LawsAssumed::identity, {"de1/dt = omega x e1"});
+  all["power"] = derivation("T = 1/2 omega . L", "dT/dt = omega . N", LawsAssumed::motion,
                             {"dL/dt = N", "I1 w1' = (I2 - I3) w2 w3 + N1", "I2 w2' = (I3 - I1) w3 w1 + N2",
                              "I3 w3' = (I1 - I2) w1 w2 + N3"});
   return all;

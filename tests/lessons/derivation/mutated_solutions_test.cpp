@@ -115,7 +115,7 @@ TEST(MutatedSolutions, NoAnswerWithAWrongFactorIsRight) {
     const LineNotation how = line_notation(lesson, ask);
     EXPECT_TRUE(is_right_answer(ask, typed(*ask.expression), prover, how)) << ask.id;
     for (const Expression& mutant : mutants_of(*ask.expression)) {
-      if (prover.settle({mutant, *ask.expression}, Assumption::identity) == Verdict::holds) continue;
+      if (prover.settle({mutant, *ask.expression}, LawsAssumed::identity) == Verdict::holds) continue;
       ++judged;
       EXPECT_FALSE(is_right_answer(ask, typed(mutant), prover, how)) << ask.id << ": " << typed(mutant);
     }

@@ -41,16 +41,6 @@ TEST(SourceText, MovesPlacesIntoTheText) {
   EXPECT_EQ(source.clamp({1, 0}), (SourcePlace{1, 1}));
 }
 
-TEST(PlaceCursor, AgreesWithPlacesComputedFromTheStart) {
-  const std::string text = "a ω\n\nb×\r\nc";
-  const SourceText source(text);
-  PlaceCursor cursor(text, {1, 1});
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U) continue;  // inside a character
-    EXPECT_EQ(cursor.advance_to(i), source.place_of(i)) << i;
-  }
-}
-
 TEST(Trimmed, TakesBlanksOffBothEnds) {
   EXPECT_EQ(trimmed(" \t a b\r"), "a b");
   EXPECT_EQ(trimmed("  "), "");

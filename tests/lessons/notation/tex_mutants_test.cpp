@@ -170,14 +170,14 @@ std::array<double, 3> crossed(const std::array<double, 3>& a, const std::array<d
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-World drawn(std::mt19937_64& random, Assumption assumption) {
+World drawn(std::mt19937_64& random, LawsAssumed laws) {
   const auto draw = [&random] { return 0.25 + static_cast<double>(random() >> 11) / 9007199254740992.0 * 2; };
   World one;
   for (auto* x : {&one.I, &one.w, &one.dw, &one.N, &one.v, &one.dv, &one.A, &one.dA_B})
     for (double& component : *x) component = draw();
   one.m = draw();
-  if (assumption == Assumption::free) one.N = {0, 0, 0};
-  if (assumption != Assumption::identity) {
+  if (laws == LawsAssumed::free) one.N = {0, 0, 0};
+  if (laws != LawsAssumed::identity) {
     const std::array<double, 3> l{one.I[0] * one.w[0], one.I[1] * one.w[1], one.I[2] * one.w[2]};
     const auto turn = crossed(one.w, l);
     for (std::size_t i = 0; i < 3; ++i) one.dw[i] = (one.N[i] - turn[i]) / one.I[i];
@@ -399,12 +399,12 @@ void add_mutants(const T& t, std::vector<T>& to) {
 }
 
 struct True {
-  Assumption assumption;
+  LawsAssumed laws;
   T left, right;
 };
 
 std::vector<True> true_equations() {
-  const auto identity = Assumption::identity, motion = Assumption::motion, free = Assumption::free;
+  const auto identity = LawsAssumed::identity, motion = LawsAssumed::motion, free = LawsAssumed::free;
   const auto squares = [](int power) {
     const auto term = [power](int i) { return (power == 1 ? I(i) : sq(I(i))) * sq(w(i)); };
     return term(1) + term(2) + term(3);
@@ -462,7 +462,7 @@ bool agree(const Value& a, const Value& b) {
     if (std::abs(a.x[i] - b.x[i]) > kNear * size) return false;
   return true;
 }
-Value read_value(const Triple<SizedNumber, 0>& side) {
+Value read_value(const ComponentJets<SizedNumber, 0>& side) {
   Value value;
   for (std::size_t i = 0; i < 3; ++i) value.x[i] = side[i].value.value;
   return value;
@@ -483,7 +483,7 @@ void check(const True& one, const std::array<std::vector<World>, 3>& worlds, con
   bool holds = true, sense = true;
   std::vector<std::pair<Value, Value>> values;
   try {
-    for (const World& world : worlds[static_cast<std::size_t>(one.assumption)]) {
+    for (const World& world : worlds[static_cast<std::size_t>(one.laws)]) {
       values.emplace_back(evaluate(one.left, world).value, evaluate(one.right, world).value);
       const auto is_zero = [](const T& side) { return side->op == Op::number && side->index == 0; };
       if (values.back().first.vector != values.back().second.vector && !is_zero(one.left) &&
@@ -506,14 +506,14 @@ void check(const True& one, const std::array<std::vector<World>, 3>& worlds, con
   ASSERT_EQ(read->sentences[0].links.size(), 1U) << text;
   const Equality& equality = read->sentences[0].links[0].equality;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const World& world = worlds[static_cast<std::size_t>(one.assumption)][i];
-    const auto sides = sides_of(equality, state_of(world.numbers, one.assumption));
+    const World& world = worlds[static_cast<std::size_t>(one.laws)][i];
+    const auto sides = sides_of(equality, state_of(world.numbers, one.laws));
     ASSERT_TRUE(sides) << text;
     EXPECT_TRUE(agree(read_value(sides->left), values[i].first) &&
                 agree(read_value(sides->right), values[i].second))
         << text << " is read as " << equality.left.text << " = " << equality.right.text;
   }
-  const bool proved = prover.settle(equality, one.assumption) == Verdict::holds;
+  const bool proved = prover.settle(equality, one.laws) == Verdict::holds;
   tally.proved += proved ? 1 : 0;
   EXPECT_EQ(proved, holds) << text << " is read as " << equality.left.text << " = " << equality.right.text;
 }
@@ -521,9 +521,8 @@ void check(const True& one, const std::array<std::vector<World>, 3>& worlds, con
 TEST(TexMutants, AreReadAsPrintedAndProvedOnlyWhereTheyHold) {
   std::mt19937_64 random(1);
   std::array<std::vector<World>, 3> worlds;
-  for (std::size_t assumption = 0; assumption < 3; ++assumption)
-    for (int k = 0; k < 3; ++k)
-      worlds[assumption].push_back(drawn(random, static_cast<Assumption>(assumption)));
+  for (std::size_t laws = 0; laws < 3; ++laws)
+    for (int k = 0; k < 3; ++k) worlds[laws].push_back(drawn(random, static_cast<LawsAssumed>(laws)));
   const Prover prover;
   Tally truths, mutants;
   std::set<std::string> seen;
@@ -533,9 +532,9 @@ TEST(TexMutants, AreReadAsPrintedAndProvedOnlyWhereTheyHold) {
       std::vector<T> changed;
       add_mutants(left ? one.left : one.right, changed);
       for (const T& side : changed) {
-        const True mutant{one.assumption, left ? side : one.left, left ? one.right : side};
+        const True mutant{one.laws, left ? side : one.left, left ? one.right : side};
         if (seen.insert(tex(mutant.left) + "=" + tex(mutant.right) +
-                        std::to_string(static_cast<int>(one.assumption)))
+                        std::to_string(static_cast<int>(one.laws)))
                 .second)
           check(mutant, worlds, prover, mutants);
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each limit of reader.h is taken at the limit and refused one past it (figure L4).
+// Each limit of reader.h is taken at the limit and refused one past it.
 #include "lessons/reader/front_matter/front_matter.h"
 #include "tests/lessons/support.h"
 

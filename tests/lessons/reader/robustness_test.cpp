@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Thousands of damaged lessons: no crash, and every refusal says at least one place that exists (figure L1 in
-// small; the same under the sanitizers of the asan preset).
+// Thousands of damaged lessons: no crash, and every refusal says at least one place that exists; the
+// same under the sanitizers of the asan preset.
 #include "tests/fuzz/mutate.h"
 #include "tests/lessons/support.h"
 

@@ -241,7 +241,7 @@ TEST(Transport, ClosesATriangleAtTheTipOfA) {
     EXPECT_EQ(star->tail, A->tip);
     EXPECT_LT((turning->tail - star->tip).norm(), kRounding);
     EXPECT_EQ(sum->tail, A->tip);
-    EXPECT_LT((sum->tip - turning->tip).norm(), 1e-10);  // difference quotients: arrow_test.cpp
+    EXPECT_LT((sum->tip - turning->tip).norm(), 1e-10);  // difference quotients: transport_arrow_test.cpp
   }
 }
 
@@ -340,6 +340,47 @@ TEST(Pivot, TheWeightsNameStandsBesideTheStandOfAnUprightTop) {
   upright.attitude = Quat::Identity();
   EXPECT_TRUE(stands_beside(upright));
   EXPECT_FALSE(stands_beside(gyroscope()));
+}
+
+// Before the stand, which would hide it, and not inside.
+TEST(Pivot, TheWeightOfAnUprightTopIsDrawnBeforeItsStand) {
+  Scene scene = gyroscope();
+  scene.attitude = Quat::Identity();
+  scene.w0_B = Vec3(0, 0, 52);
+  const Figure figure = make_figure(make_model(scene), 0.0, kAspect);
+  const Arrow* weight = arrow_of(figure.panes[0].list, kNRole.paint);
+  ASSERT_TRUE(weight);
+  const Camera& camera = figure.panes[0].camera;
+  EXPECT_GT(weight->tip.head<2>().norm(), 0.05) << "clear of the stand's axis";
+  EXPECT_GT(weight->tip.head<2>().dot((camera.eye - camera.target).head<2>()), 0.0) << "on the viewer's side";
+  EXPECT_NEAR((weight->tip - weight->tail).normalized().z(), -1.0, kRounding);
+}
+
+TEST(Spin, GoesRoundAxis3AsTheBodyDoesWhereItIsSeen) {
+  for (const double spin : {5.0, -5.0})
+    for (const bool is_turned_over : {false, true}) {
+      Scene scene;
+      scene.body = {"plate", PrincipalMoments(1, 1, 2), std::nullopt};
+      scene.w0_B = Vec3(0.3, 0.2, spin);
+      scene.attitude = is_turned_over ? Quat(0, 1, 0, 0) : Quat(0.96, 0.28, 0, 0);
+      scene.show = {O::shape, O::spin};
+      const SceneModel model = make_model(scene);
+      const Figure figure = make_figure(model, 0.1, kAspect);
+      const Arrow* arrow = arrow_of(figure.panes[0].list, kOmegaRole.paint);
+      ASSERT_TRUE(arrow);
+      const Vec3 axis_S = model.motion->at(0.1).q_SB * Vec3::UnitZ();
+      const Vec3 from_axis = arrow->tip - arrow->tip.dot(axis_S) * axis_S;
+      EXPECT_GT((arrow->tip - arrow->tail).dot(spin * axis_S.cross(from_axis)), 0.0);
+      EXPECT_GT(arrow->tip.dot(axis_S) * figure.panes[0].camera.eye.dot(axis_S), 0.0)
+          << "on the side that is seen";
+    }
+}
+
+TEST(Spin, IsNotDrawnWhereNothingTurnsAboutAxis3) {
+  Scene scene;
+  scene.w0_B = Vec3(1, 0, 0);
+  scene.show = {O::shape, O::spin};
+  EXPECT_FALSE(arrow_of(make_figure(make_model(scene), 0.0, kAspect).panes[0].list, kOmegaRole.paint));
 }
 
 TEST(Pivot, NeedsAHeavyTop) {

@@ -28,7 +28,7 @@ std::map<int, double> values_in_tables(const std::vector<ComputedNumber>& number
     if (const auto& row = numbers[static_cast<std::size_t>(id)].row) by_row[row.get()].push_back(id);
   std::map<int, double> values;
   for (const auto& [row, of_row] : by_row) {
-    const SceneModel model = make_model(row->scene, Product::numbers, effort);
+    const SceneModel model = make_model(row->scene, ModelFor::numbers, effort);
     MotionNumbers motion(model, row->scene.at_s, effort);
     for (const int id : of_row)
       if (const auto value = value_of(numbers[static_cast<std::size_t>(id)], motion))

@@ -120,7 +120,7 @@ void NumberCheck::check_head(const Head& head, const ComputedNumber& number,
   const std::string hint = "write a head in words, or show what it says";
   if (head.is->type() == ExpressionType::vector) return refuse(number, other, hint);
   const Equality sides{*head.is, number.expression};
-  if (is_provable(sides) && Prover().settle(sides, Assumption::identity) == Verdict::holds) return;
+  if (is_provable(sides) && Prover().settle(sides, LawsAssumed::identity) == Verdict::holds) return;
   for (MotionNumbers* motion : motions) {
     auto said = motion->value_of(*head.is);
     const auto shown = motion->value_of(number.expression);
@@ -236,7 +236,7 @@ void NumberCheck::check_row_heads(const TextTable& table) {
           const Scene& scene = of_row->row->scene;
           const std::vector<double> times_s =
               statement.of ? std::vector{scene.at_s, 0.0} : std::vector{scene.at_s};
-          const auto wrong = wrong_value(statement, make_model(scene, Product::numbers, effort_), times_s);
+          const auto wrong = wrong_value(statement, make_model(scene, ModelFor::numbers, effort_), times_s);
           if (wrong)
             report_.error(of_row->row->place,
                           "the head of this row says $" + cell[i].text + "$, and on its motion that is " +
@@ -269,7 +269,7 @@ void NumberCheck::check_computed_tables(const RichText& text) {
       const Head head = head_of(block.table.rows.front()[c]);
       const Equality sides{head.is.value_or(numbers.front()->expression), numbers.front()->expression};
       const bool is_same = is_provable(sides) && fit(sides.left.type(), sides.right.type()) &&
-                           Prover().settle(sides, Assumption::identity) == Verdict::holds;
+                           Prover().settle(sides, LawsAssumed::identity) == Verdict::holds;
       std::vector<SceneModel> models;
       std::vector<MotionNumbers> motions;
       std::vector<MotionNumbers*> of_rows;
@@ -277,7 +277,7 @@ void NumberCheck::check_computed_tables(const RichText& text) {
         models.reserve(numbers.size());
         motions.reserve(numbers.size());
         for (const ComputedNumber* one : numbers) {
-          models.push_back(make_model(one->row->scene, Product::numbers, effort_));
+          models.push_back(make_model(one->row->scene, ModelFor::numbers, effort_));
           motions.emplace_back(models.back(), one->row->scene.at_s, effort_);
           of_rows.push_back(&motions.back());
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pages whose figures move, in a real browser with WebGL2 drawn by its own software. Skipped where ./web was
 // not run.
-#include "app/session/figure_interaction.h"
+#include "app/session/camera_moves.h"
 #include "app/session/scene_edits.h"
 #include "tests/app/publish/browser.h"
 #include "tests/app/publish/live/web_folder.h"

@@ -2,8 +2,8 @@
 // The text edition, as `polhode export --reader` writes it.
 #include "app/narration/speech_text.h"
 #include "app/narration/verdict_row.h"
-#include "app/page/loaded_lesson.h"
 #include "app/publish/html_text.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/publish/example_deck.h"
 #include "tests/app/publish/text_edition/example_edition.h"
 #include "tests/support/paths.h"
@@ -290,7 +290,7 @@ TEST(Reader, AVerdictStandsInWords) {
   });
   ASSERT_EQ(verdicts.size(), 1u);
   // The line is a claim beside the formula: the verdict is about that.
-  EXPECT_EQ(verdicts[0], "Claimed: d vector L over d t equals vector N law");
+  EXPECT_EQ(verdicts[0], "In other words: d vector L over d t equals vector N law");
 }
 
 TEST(Reader, QuestionsHaveWhatTheyAreJudgedBy) {

@@ -2,6 +2,7 @@
 #include "app/session/saved/bookmark.h"
 
 #include "app/cli/exit_codes.h"
+#include "lessons/reader/reader.h"
 #include "tests/app/run_program.h"
 #include "tests/app/session/example_lesson.h"
 
@@ -131,22 +132,22 @@ TEST(Bookmark, BringsBackWhereWeWere) {
   EXPECT_EQ(bookmark, kBookmark);
   LessonSession next(test::example());
   restore(next, bookmark);
-  EXPECT_EQ(next.place(), (Place{0, 2}));
+  EXPECT_EQ(next.place(), (StepPlace{0, 2}));
   EXPECT_EQ(bookmark_of(next), bookmark);
 }
 
 TEST(Bookmark, PassesOverWhatTheLessonNoLongerHas) {
   LessonSession session(test::example());
   restore(session, {"gone", 3, {"gone", "words"}});
-  EXPECT_EQ(session.place(), (Place{0, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{0, 0}));
   EXPECT_THAT(session.visited(), ElementsAre("free", "words"));
   restore(session, {"free", 99, {}});
-  EXPECT_EQ(session.place(), (Place{0, 3}));
+  EXPECT_EQ(session.place(), (StepPlace{0, 3}));
   restore(session, {"top", -5, {}});
-  EXPECT_EQ(session.place(), (Place{2, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{2, 0}));
   EXPECT_THAT(session.visited(), ElementsAre("top"));
   restore(session, {});
-  EXPECT_EQ(session.place(), (Place{2, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{2, 0}));
 }
 
 }  // namespace

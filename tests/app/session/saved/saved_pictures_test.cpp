@@ -3,6 +3,7 @@
 #include "app/page/figure_place.h"
 #include "app/page/page.h"
 #include "app/session/saved/saved_scene.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "render/figure/make_figure.h"
 #include "tests/app/run_program.h"
 #include "tests/app/session/example_lesson.h"
@@ -55,7 +56,7 @@ void expect_same_pictures(const LessonSession& session) {
   EXPECT_TRUE(figure_of(make_model(scene), t_s).rgba == figure_of(*session.model(), session.t_s()).rgba)
       << lesson_of(session);
   if (session.lesson().stages.size() > 1) return;  // pages say which stage of how many, and which step
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   const int step = static_cast<int>(session.place().step) + 1;
   EXPECT_TRUE(page_of(*reading.lesson, stage, step, &model, t_s).rgba ==
               page_of(session.lesson(), session.stage(), step, session.model(), session.t_s()).rgba)

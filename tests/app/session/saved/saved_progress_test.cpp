@@ -46,7 +46,7 @@ TEST_F(SavedProgressOfAWindow, BringsBackPlaceAnswersAndPreferences) {
   LessonSession session(test::example());
   const SavedProgress progress(session, scratch_.path());
   EXPECT_THAT(progress.notice(), IsEmpty());
-  EXPECT_EQ(session.place(), (Place{0, 1}));
+  EXPECT_EQ(session.place(), (StepPlace{0, 1}));
   EXPECT_EQ(session.answers().at(kAxis), (AnswerRecord{1, 1, 0, "B", "B", {}}));
   EXPECT_EQ(session.preferences.theme, Theme::dark);
 }

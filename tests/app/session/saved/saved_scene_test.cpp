@@ -2,6 +2,7 @@
 // What is saved reads back as what was there.
 #include "app/session/saved/saved_scene.h"
 
+#include "lessons/reader/checks/lesson_check.h"
 #include "lessons/reader/scene/scene_keys.h"
 #include "physics/body/torque_text.h"
 #include "render/scene/model/scene_problem.h"

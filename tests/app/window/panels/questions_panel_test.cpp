@@ -49,13 +49,13 @@ TEST_F(QuestionsPanelTest, KeysThatWalkAndPlayAreThePages) {
   EXPECT_TRUE(screen->press(session, "Space"));
   EXPECT_TRUE(session.is_playing());
   session.set_playing(false);
-  const Place asked = session.place();
+  const StepPlace asked = session.place();
   for (const char* key : {"Right", "PageDown"}) {
     session.go_to(asked);
     frame(3);
     EXPECT_TRUE(screen->press(session, key));
     if (session.place() == asked) screen->press(session, key);  // a prediction asks once
-    EXPECT_EQ(session.place(), (Place{asked.stage, asked.step + 1})) << key;
+    EXPECT_EQ(session.place(), (StepPlace{asked.stage, asked.step + 1})) << key;
   }
   EXPECT_EQ(session.panel, Panel::question) << "it stays open";
   screen->press(session, "F6");
@@ -103,7 +103,7 @@ TEST_F(QuestionsPanelTest, AQuestionIsOpenedWhereItStands) {
   frame(3);
   EXPECT_EQ(session.panel, Panel::question);
   EXPECT_TRUE(ImGui::GetIO().WantTextInput);
-  const Place asked = session.place();
+  const StepPlace asked = session.place();
   EXPECT_FALSE(screen->press(session, "Right"));
   EXPECT_EQ(session.place(), asked);
 }
@@ -177,7 +177,7 @@ TEST_F(QuestionsPanelTest, ALineThatIsTypedOnThePageIsTheAnswer) {
 
 TEST_F(QuestionsPanelTest, AFieldGivesTheKeyboardBackAtEscape) {
   go_to_question("hold-steady");
-  const Place asked = session.place();
+  const StepPlace asked = session.place();
   screen->press(session, "Q");
   frame(5);
   ASSERT_TRUE(ImGui::GetIO().WantTextInput) << "one may type at once";
@@ -201,7 +201,7 @@ TEST_F(QuestionsPanelTest, ItsKeysAreThePagesHoweverTheLastPanelWasUsed) {
   ASSERT_TRUE(ImGui::GetIO().NavVisible) << "a control is chosen";
   screen->press(session, "Q");
   frame(4);
-  const Place asked = session.place();
+  const StepPlace asked = session.place();
   EXPECT_TRUE(screen->press(session, "Left"));
   EXPECT_NE(session.place(), asked);
 }
@@ -209,18 +209,18 @@ TEST_F(QuestionsPanelTest, ItsKeysAreThePagesHoweverTheLastPanelWasUsed) {
 // What a prediction asks is told by the next step.
 TEST_F(QuestionsPanelTest, APredictionHoldsTheNextStepBackOnce) {
   const Ask& ask = go_to_question("no-torque");
-  const Place asked = session.place();
+  const StepPlace asked = session.place();
   EXPECT_TRUE(screen->press(session, "Right"));
   EXPECT_EQ(session.place(), asked);
   EXPECT_THAT(screen->notice(), testing::HasSubstr("Answer first"));
   EXPECT_TRUE(screen->press(session, "Right", true)) << "held";
   EXPECT_EQ(session.place(), asked);
   EXPECT_TRUE(screen->press(session, "Right"));
-  EXPECT_EQ(session.place(), (Place{asked.stage, asked.step + 1}));
+  EXPECT_EQ(session.place(), (StepPlace{asked.stage, asked.step + 1}));
   session.go_to(asked);
   session.answer(ask, "A");  // its motion is played now: it is answered all the same
   EXPECT_TRUE(screen->press(session, "Right"));
-  EXPECT_EQ(session.place(), (Place{asked.stage, asked.step + 1}));
+  EXPECT_EQ(session.place(), (StepPlace{asked.stage, asked.step + 1}));
 }
 
 // Of several that are typed the next one has the cursor, and Q begins in the first that is open.
@@ -351,7 +351,7 @@ TEST_F(QuestionsPanelTest, NothingIsCutAtItsEdge) {
 
 TEST_F(QuestionsPanelTest, WhatWasAskedBeforeCanBeGoneBackTo) {
   go_to_question("length-kept");
-  const Place asked = session.place();
+  const StepPlace asked = session.place();
   ASSERT_TRUE(session.next_step());
   ASSERT_TRUE(session.questions().empty());
   session.panel = Panel::question;

@@ -26,7 +26,7 @@ TEST_F(PresentingTest, TheScreenIsBlackUntilTheNextKey) {
   for (const char* key : {".", "B"}) {
     for (int i = 0; i < 300; ++i) frame();  // what was told is gone
     EXPECT_FALSE(is_black());
-    const Place before = session.place();
+    const StepPlace before = session.place();
     screen->press(session, key);
     EXPECT_TRUE(is_black()) << key;
     EXPECT_EQ(session.panel, Panel::none) << key;
@@ -44,14 +44,14 @@ TEST_F(PresentingTest, TheScreenIsBlackUntilTheNextKey) {
 
 TEST_F(PresentingTest, ANumberAndEnterLeadToAStage) {
   for (const char* key : {"1", "2", "Enter"}) EXPECT_TRUE(screen->press(session, key)) << key;
-  EXPECT_EQ(session.place(), (Place{11, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{11, 0}));
   for (const char* key : {"9", "9", "Enter"}) screen->press(session, key);
-  EXPECT_EQ(session.place(), (Place{11, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{11, 0}));
   EXPECT_NE(screen->notice().find("There is no stage 99"), std::string::npos) << screen->notice();
   screen->press(session, "3");
   screen->press(session, "Right");  // thinks better of it
   screen->press(session, "Enter");
-  EXPECT_EQ(session.place(), (Place{11, 1}));
+  EXPECT_EQ(session.place(), (StepPlace{11, 1}));
 }
 
 TEST_F(PresentingTest, PanelsAreSeenAndEscapeGoesOneStepBack) {
@@ -76,13 +76,13 @@ TEST_F(PresentingTest, AClickBesideTheFigureGoesOn) {
   const PixelBox& figure = screen->page().page().figure;
   ASSERT_GT(figure.width(), 0);
   click(0.5 * (figure.x0 + figure.x1), 0.5 * (figure.y0 + figure.y1));
-  EXPECT_EQ(session.place(), (Place{0, 0})) << "that is taken hold of";
+  EXPECT_EQ(session.place(), (StepPlace{0, 0})) << "that is taken hold of";
   click(0.5 * figure.x0, kSize.height - 20);
-  EXPECT_EQ(session.place(), (Place{0, 1}));
+  EXPECT_EQ(session.place(), (StepPlace{0, 1}));
   screen->press(session, "P");
   frame(3);
   click(0.5 * figure.x0, kSize.height - 120);
-  EXPECT_EQ(session.place(), (Place{0, 1})) << "who reads clicks where he likes";
+  EXPECT_EQ(session.place(), (StepPlace{0, 1})) << "who reads clicks where he likes";
 }
 
 TEST_F(PresentingTest, ASpotFollowsTheMouse) {
@@ -114,7 +114,7 @@ TEST_F(PresentingTest, AClickerWalksThoughAPanelIsOpen) {
     screen->press(session, key);
     frame(3);
     ASSERT_TRUE(screen->press(session, "PageDown")) << key;
-    EXPECT_EQ(session.place(), (Place{0, 1})) << key;
+    EXPECT_EQ(session.place(), (StepPlace{0, 1})) << key;
     EXPECT_FALSE(screen->press(session, "Down")) << key << ": that moves in the panel";
     screen->press(session, "Escape");
     frame(2);

@@ -2,9 +2,10 @@
 #include "app/window/screen/screen.h"
 
 #include "app/export/picture_maker.h"
-#include "app/session/figure_interaction.h"
+#include "app/session/omega_drag.h"
 #include "app/session/steering.h"
 #include "app/window/controls/control_input.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "render/image/png.h"
 #include "tests/app/window/screen_harness.h"
 #include "tests/base/files/folder.h"
@@ -181,7 +182,7 @@ TEST_F(ScreenTest, KeysOfAFocusedPanelAreItsOwn) {
   screen->press(session, "B");
   frame(3);
   EXPECT_EQ(session.panel, Panel::body);
-  const Place before = session.place();
+  const StepPlace before = session.place();
   EXPECT_FALSE(screen->press(session, "Right"));
   EXPECT_EQ(session.place(), before);
   screen->press(session, "F6");
@@ -203,7 +204,7 @@ TEST_F(ScreenTest, KeysAreThePagesAfterAClickInAPanel) {
     EXPECT_FALSE(screen->press(session, "Right")) << panel;
     click(kSize.width - 150, 12);  // nothing stands there
     EXPECT_TRUE(screen->press(session, "Right")) << panel;
-    EXPECT_EQ(session.place(), (Place{1, 1})) << panel;
+    EXPECT_EQ(session.place(), (StepPlace{1, 1})) << panel;
     EXPECT_TRUE(screen->press(session, "Space")) << panel;
     EXPECT_TRUE(session.is_playing()) << panel;
     session.set_playing(false);
@@ -223,7 +224,7 @@ TEST_F(ScreenTest, TheWheelOverTheOutlineScrollsIt) {
     ImGui::GetIO().MouseWheel = -1;
     frame(2);
   }
-  EXPECT_EQ(session.place(), (Place{0, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{0, 0}));
   EXPECT_EQ(session.visited().size(), 1U);
   EXPECT_NE(screen->read().rgba, before.rgba);
 }
@@ -248,7 +249,7 @@ TEST_F(ScreenTest, AnotherLessonIsOpenedFromTheOutline) {
   for (int at = 740; at > 400 && screen->requests().open_lesson.empty(); at -= 10)
     click(kSize.width - 290, at);  // its button is the last thing
   EXPECT_EQ(screen->requests().open_lesson, "other");
-  EXPECT_EQ(session.place(), (Place{0, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{0, 0}));
   EXPECT_EQ(asked, 1);
 }
 
@@ -335,7 +336,7 @@ TEST_F(ScreenTest, KeysAreThePagesAgainWhenAPanelIsGone) {
   frame(3);
   screen->press(session, "Escape");
   frame(3);
-  const Place before = session.place();
+  const StepPlace before = session.place();
   EXPECT_TRUE(screen->press(session, "Right"));
   EXPECT_NE(session.place(), before);
   screen->press(session, "B");
@@ -561,16 +562,16 @@ TEST_F(ScreenTest, LinksAreFollowedByAClickAndByKeys) {
     click(0.5 * (link.box.x0 + link.box.x1), 0.5 * (link.box.y0 + link.box.y1));
   };
   click_on(web);
-  EXPECT_EQ(session.place(), (Place{0, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{0, 0}));
   EXPECT_STREQ(ImGui::GetClipboardText(), "https://a.b");
   click_on(inside);
-  EXPECT_EQ(session.place(), (Place{1, 1})) << "the step that brings the equation";
+  EXPECT_EQ(session.place(), (StepPlace{1, 1})) << "the step that brings the equation";
   session.go_to({0, 0});
   move(1, 1);
   screen->press(session, "Tab", false);
   frame(2);
   screen->press(session, "Enter", false);
-  EXPECT_EQ(session.place(), (Place{1, 1}));
+  EXPECT_EQ(session.place(), (StepPlace{1, 1}));
 }
 
 TEST_F(ScreenTest, ASliderVariesANumberAndADoubleClickGivesItBack) {

@@ -123,7 +123,7 @@ TEST_F(StillPageTest, ASymbolInFocusIsScrolledTo) {
 // Indices apart, which are set within a line of larger type.
 TEST_F(StillPageTest, NoTypeIsTooSmallToBeRead) {
   for (const Size size : {Size{1280, 800}, Size{900, 600}, Size{800, 560}, Size{640, 480}})
-    for (const Place place : {Place{0, 6}, Place{9, 1}, Place{20, 0}}) {
+    for (const StepPlace place : {StepPlace{0, 6}, StepPlace{9, 1}, StepPlace{20, 0}}) {
       session.go_to(place);
       draw_at(size);
       for (const PlacedType& text : screen->page().page().sheet.texts) {

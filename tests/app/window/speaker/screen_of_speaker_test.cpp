@@ -71,7 +71,7 @@ TEST_F(SpeakerTest, ShowsThePageTheNextStepAndWhereWeAre) {
   both();
   const Image first = speaker->read();
   ASSERT_TRUE(screen->press_from_afar(session, "Right", false));
-  EXPECT_EQ(session.place(), (Place{0, 1}));
+  EXPECT_EQ(session.place(), (StepPlace{0, 1}));
   both();
   const Image second = speaker->read();
   EXPECT_GT(differing(first, second, 10, 40, 700, 400), 100) << "the page";
@@ -96,11 +96,11 @@ TEST_F(SpeakerTest, SeesThePageWhileTheAudienceSeesBlack) {
 
 TEST_F(SpeakerTest, WalksAndJumpsByTheMouse) {
   both();
-  for (float row = 470; row < 560 && session.place() == Place{}; row += 8) click_here(130, row);
-  EXPECT_EQ(session.place(), (Place{0, 1})) << "its button Next";
+  for (float row = 470; row < 560 && session.place() == StepPlace{}; row += 8) click_here(130, row);
+  EXPECT_EQ(session.place(), (StepPlace{0, 1})) << "its button Next";
   session.go_to({});
-  for (float row = 780; row > 560 && session.place() == Place{}; row -= 8) click_here(120, row);
-  EXPECT_EQ(session.place(), (Place{1, 0})) << "the second stage in the outline";
+  for (float row = 780; row > 560 && session.place() == StepPlace{}; row -= 8) click_here(120, row);
+  EXPECT_EQ(session.place(), (StepPlace{1, 0})) << "the second stage in the outline";
   EXPECT_TRUE(session.has_speaker());
 }
 
@@ -149,7 +149,7 @@ TEST_F(SpeakerTest, CountsWhatIsForThisClass) {
   session.leave_out("two", true);
   both();
   EXPECT_GT(differing(all, speaker->read(), 0, 400, 760, 800), 100) << "the count, and the outline";
-  EXPECT_EQ(session.next_place(), (Place{0, 1}));
+  EXPECT_EQ(session.next_place(), (StepPlace{0, 1}));
   session.go_to({0, 1});
   EXPECT_EQ(session.next_place(), std::nullopt);
 }
@@ -161,7 +161,7 @@ TEST_F(SpeakerTest, IsToldWhatTheAudienceIsNot) {
   both();
   EXPECT_EQ(screen->read().rgba, audience.rgba) << "a number that is being typed";
   screen->press_from_afar(session, "Enter", false);
-  EXPECT_EQ(session.place(), (Place{1, 0}));
+  EXPECT_EQ(session.place(), (StepPlace{1, 0}));
 }
 
 TEST_F(SpeakerTest, CountsTheTime) {

@@ -22,9 +22,9 @@ using testing::random_numbers;
 using Field = FieldElement;
 
 template <class N>
-Triple<N> jets_in(const ClaimState<N>& state, const std::string& text) {
+ComponentJets<N> jets_in(const ClaimState<N>& state, const std::string& text) {
   Evaluation<N> evaluate(state);
-  Triple<N> value;
+  ComponentJets<N> value;
   EXPECT_TRUE(evaluate(equality(text, "0").left, value)) << text;
   return value;
 }
@@ -39,14 +39,14 @@ std::array<Field, 4> product(const std::array<Field, 4>& a, const std::array<Fie
           a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
 }
 
-std::array<Field, 3> turned(const std::array<Triple<Field>, 3>& G, const std::array<Field, 3>& x) {
+std::array<Field, 3> turned(const std::array<ComponentJets<Field>, 3>& G, const std::array<Field, 3>& x) {
   std::array<Field, 3> y;
   for (std::size_t i = 0; i < 3; ++i)
     y[i] = G[i][0].value * x[0] + G[i][1].value * x[1] + G[i][2].value * x[2];
   return y;
 }
 
-class EvaluationUnder : public ::testing::TestWithParam<Assumption> {};
+class EvaluationUnder : public ::testing::TestWithParam<LawsAssumed> {};
 
 // Body, axes and vectors of space turned by g together: scalars do not change, vectors turn with them.
 TEST_P(EvaluationUnder, ATurnOfEverythingTurnsVectorsAndNoScalar) {
@@ -151,7 +151,7 @@ TEST_P(EvaluationUnder, OperationsAreLinearAndRatesKeepTheProductRules) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EvaluationUnder,
-                         ::testing::Values(Assumption::identity, Assumption::motion, Assumption::free));
+                         ::testing::Values(LawsAssumed::identity, LawsAssumed::motion, LawsAssumed::free));
 
 /// 1 → 2 → 3 → 1 in names, indices of comp and the letters of J.
 std::string renamed_in_a_circle(const std::string& text) {
@@ -201,8 +201,8 @@ TEST(Evaluation, VerdictsStayWhenTheAxesAreRenamedInACircle) {
     for (int turn = 0; turn < 2; ++turn) {
       l = renamed_in_a_circle(l);
       r = renamed_in_a_circle(r);
-      for (const Assumption assumption : {Assumption::identity, Assumption::motion, Assumption::free})
-        EXPECT_EQ(prover.settle(equality(left, right), assumption), prover.settle(equality(l, r), assumption))
+      for (const LawsAssumed laws : {LawsAssumed::identity, LawsAssumed::motion, LawsAssumed::free})
+        EXPECT_EQ(prover.settle(equality(left, right), laws), prover.settle(equality(l, r), laws))
             << left << " = " << right << " as " << l << " = " << r;
     }
   }
@@ -218,10 +218,10 @@ TEST(Evaluation, NumbersAreExactInTheFieldAndRoundedOnceInDoubles) {
 }
 
 TEST(Evaluation, EveryWayToWriteANumberIsTheSameNumberInBoth) {
-  const auto exact = state_of(random_numbers(1), Assumption::identity);
+  const auto exact = state_of(random_numbers(1), LawsAssumed::identity);
   StateNumbers<SizedNumber> numbers;
   numbers.I = {SizedNumber(1), SizedNumber(2), SizedNumber(3)};
-  const auto real = state_of(numbers, Assumption::identity);
+  const auto real = state_of(numbers, LawsAssumed::identity);
   for (const auto& [number, same] : std::vector<std::pair<const char*, const char*>>{{".5", "1/2"},
                                                                                      {"2.", "2"},
                                                                                      {"007.50e+2", "750"},
@@ -240,7 +240,7 @@ TEST(Evaluation, AtRestInSpaceItIsWhatOneWouldWrite) {
   n.w = {SizedNumber(1), SizedNumber(2), SizedNumber(3)};
   n.J = {SizedNumber(1), SizedNumber(2), SizedNumber(3), SizedNumber(4), SizedNumber(5), SizedNumber(6)};
   n.A_S = {SizedNumber(1), SizedNumber(0), SizedNumber(-1)};
-  const auto state = state_of(n, Assumption::free);
+  const auto state = state_of(n, LawsAssumed::free);
   const auto values = [&state](const char* text) {
     const auto value = jets_in(state, text);
     return std::array{value[0].value.value, value[1].value.value, value[2].value.value};
@@ -297,7 +297,7 @@ TEST(Evaluation, FunctionsOfNumbersEndWhereTheyAreNotDefined) {
   ClaimState<SizedNumber> state{};
   state.w_B = {{{2.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}}};
   Evaluation<SizedNumber> evaluate(state);
-  Triple<SizedNumber> value;
+  ComponentJets<SizedNumber> value;
   for (const char* text : {"sqrt(w2)", "acos(w1)", "log(w2)", "log(w3)"})
     EXPECT_FALSE(evaluate(equality(text, "0").left, value)) << text;
   for (const char* text : {"sqrt(w3)", "acos(w1/2)", "atan2(w3, w3)"})
@@ -306,7 +306,7 @@ TEST(Evaluation, FunctionsOfNumbersEndWhereTheyAreNotDefined) {
 
 // The axes of space do not move, and e_z as seen from the body turns backwards.
 TEST(Evaluation, AxesOfSpaceStandStill) {
-  const auto state = state_of(random_numbers(5), Assumption::motion);
+  const auto state = state_of(random_numbers(5), LawsAssumed::motion);
   for (const char* axis : {"ex", "ey", "ez"}) {
     const std::string e(axis);
     EXPECT_TRUE(*agree(equality("ddt(" + e + ")", "0"), state));

@@ -102,7 +102,7 @@ TEST(ExpressionBuilder, BoundsExponentsAndDegrees) {
 }
 
 /// A state on a line through the space of all that can vary.
-ClaimState<Field> state_on_line(Field s, Assumption assumption) {
+ClaimState<Field> state_on_line(Field s, LawsAssumed laws) {
   StateNumbers<Field> a = testing::random_numbers(1);
   const StateNumbers<Field> b = testing::random_numbers(2);
   const auto move = [s](auto& from, const auto& direction) {
@@ -127,7 +127,7 @@ ClaimState<Field> state_on_line(Field s, Assumption assumption) {
   a.m = a.m + s * b.m;
   a.h = a.h + s * b.h;
   a.k = a.k + s * b.k;
-  return state_of(a, assumption);
+  return state_of(a, laws);
 }
 
 std::size_t rank_of(std::vector<Row> rows) {
@@ -150,15 +150,15 @@ std::size_t rank_of(std::vector<Row> rows) {
 
 /// Whether f = P/Q on that line with deg P ≤ n and deg Q ≤ d: whether there are P and Q, not both 0, such
 /// that P − f Q = 0 at more points than they have coefficients.
-bool has_degree(const std::string& text, std::size_t component, const Degree& degree, Assumption assumption) {
+bool has_degree(const std::string& text, std::size_t component, const Degree& degree, LawsAssumed laws) {
   const auto n = static_cast<std::size_t>(degree.numerator), d = static_cast<std::size_t>(degree.denominator);
   const std::size_t unknowns = n + d + 2;
   const Expression read = expression(text);
   std::vector<Row> rows;
   for (std::size_t point = 0; point < unknowns + 4; ++point) {
     const Field s(static_cast<std::int64_t>(1000 + 77 * point));
-    const auto state = state_on_line(s, assumption);
-    Triple<Field> value;
+    const auto state = state_on_line(s, laws);
+    ComponentJets<Field> value;
     if (!Evaluation<Field>(state)(read, value)) return false;
     Row row(unknowns);
     Field power(1);
@@ -182,18 +182,18 @@ TEST(ExpressionBuilder, NoDegreeIsLargerThanItsBound) {
   for (const std::string& text : texts) {
     const Expression read = expression(text);
     const std::size_t components = read.type() == ExpressionType::vector ? 3 : 1;
-    for (const Assumption assumption : {Assumption::identity, Assumption::motion, Assumption::free})
+    for (const LawsAssumed laws : {LawsAssumed::identity, LawsAssumed::motion, LawsAssumed::free})
       for (std::size_t i = 0; i < components; ++i)
-        EXPECT_TRUE(has_degree(text, i, read.nodes.back().degree, assumption))
+        EXPECT_TRUE(has_degree(text, i, read.nodes.back().degree, laws))
             << text << " has not " << read.nodes.back().degree.numerator << " over "
             << read.nodes.back().degree.denominator;
   }
 }
 
 TEST(ExpressionBuilder, TheTestOfDegreesCanFail) {
-  EXPECT_TRUE(has_degree("w1^3/w2^2", 0, {3, 2}, Assumption::identity));
-  EXPECT_FALSE(has_degree("w1^3/w2^2", 0, {2, 2}, Assumption::identity));
-  EXPECT_FALSE(has_degree("w1^3/w2^2", 0, {3, 1}, Assumption::identity));
+  EXPECT_TRUE(has_degree("w1^3/w2^2", 0, {3, 2}, LawsAssumed::identity));
+  EXPECT_FALSE(has_degree("w1^3/w2^2", 0, {2, 2}, LawsAssumed::identity));
+  EXPECT_FALSE(has_degree("w1^3/w2^2", 0, {3, 1}, LawsAssumed::identity));
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ void expect_same_function(const Expression& expression, EquationNotation notatio
   const Expression& back = read->sentences[0].links.at(0).equality.left;
   ASSERT_EQ(back.type(), expression.type());
   const Equality same{back, expression};
-  EXPECT_EQ(Prover().settle(same, Assumption::identity), Verdict::holds);
+  EXPECT_EQ(Prover().settle(same, LawsAssumed::identity), Verdict::holds);
 }
 
 void expect_same_function(const std::string& text) { expect_same_function(expression_from(text)); }

@@ -146,11 +146,11 @@ TEST(HostileExpression, WhatCanBeReadIsSettledAndRefutedInBoundedTime) {
   for (const auto& [name, text] : largest_expressions()) {
     ASSERT_TRUE(is_read(text)) << name;
     const Equality self = {equality(text, "0").left, equality(text, "0").left};
-    EXPECT_NE(prover().settle(self, Assumption::free), Verdict::fails) << name;
-    const double proof = milliseconds([&] { prover().settle(self, Assumption::free); });
+    EXPECT_NE(prover().settle(self, LawsAssumed::free), Verdict::fails) << name;
+    const double proof = milliseconds([&] { prover().settle(self, LawsAssumed::free); });
     const Equality search = equality(hidden + "*(" + text + ")", "0");
-    EXPECT_FALSE(prover().refute(search, Assumption::identity)) << name;
-    const double look = milliseconds([&] { (void)prover().refute(search, Assumption::identity); });
+    EXPECT_FALSE(prover().refute(search, LawsAssumed::identity)) << name;
+    const double look = milliseconds([&] { (void)prover().refute(search, LawsAssumed::identity); });
     if (testing::kSanitized) continue;
     EXPECT_LT(proof, 200) << name;
     EXPECT_LT(look, 1000) << name;
@@ -183,13 +183,12 @@ TEST(HostileExpression, TheProverIsNotDeceivedByThePrime) {
        {p + "*T", p + "*T + 1e18*1e18*w1 - 1e18*1e18*w1", p + "*T*(1e18^16)^2", p + "*(1e18^16)^16*T",
         p + "*T/1e18", p + "*" + p + "*T", p + "*" + wide_p + "*T", p + "*" + wide_p + "*T*1e18^16",
         "(1 + T)*" + p, power_of_fermat("3") + " - 1"})
-    for (const Assumption assumption : {Assumption::identity, Assumption::motion, Assumption::free}) {
+    for (const LawsAssumed laws : {LawsAssumed::identity, LawsAssumed::motion, LawsAssumed::free}) {
       ASSERT_LE(zero_in_the_field.size(), kMaxExpressionBytes);
-      EXPECT_NE(prover().settle(equality(zero_in_the_field, "0"), assumption), Verdict::holds)
-          << zero_in_the_field;
+      EXPECT_NE(prover().settle(equality(zero_in_the_field, "0"), laws), Verdict::holds) << zero_in_the_field;
     }
-  EXPECT_NE(prover().settle(equality("T/" + p, "0"), Assumption::identity), Verdict::holds);
-  EXPECT_NE(prover().settle(equality("(" + p + "*T)^2", p + "*T"), Assumption::identity), Verdict::holds);
+  EXPECT_NE(prover().settle(equality("T/" + p, "0"), LawsAssumed::identity), Verdict::holds);
+  EXPECT_NE(prover().settle(equality("(" + p + "*T)^2", p + "*T"), LawsAssumed::identity), Verdict::holds);
 }
 
 TEST(HostileExpression, LargeNumbersAndPowersAreStillProved) {
@@ -200,8 +199,9 @@ TEST(HostileExpression, LargeNumbersAndPowersAreStillProved) {
            {"norm2(L)^8", "dot(L, L)^8"},
            {"0.1*T + 0.2*T + 0.3*T + 0.4*T + 0.5*T + 0.6*T", "2.1*T"},
            {"1e18*T/1e18", "T"}})
-    EXPECT_EQ(prover().settle(equality(left, right), Assumption::identity), Verdict::holds) << left;
-  EXPECT_EQ(prover().settle(equality("T^16", "T^16*1.00000000000001"), Assumption::identity), Verdict::fails);
+    EXPECT_EQ(prover().settle(equality(left, right), LawsAssumed::identity), Verdict::holds) << left;
+  EXPECT_EQ(prover().settle(equality("T^16", "T^16*1.00000000000001"), LawsAssumed::identity),
+            Verdict::fails);
 }
 
 TEST(HostileExpression, MutatedClaimsAreReadOrRefusedAndSettled) {
@@ -222,8 +222,8 @@ TEST(HostileExpression, MutatedClaimsAreReadOrRefusedAndSettled) {
     const auto claims = read_claim_lines(source, 1, source.line_count(), ClaimKind::motion, report);
     for (const ClaimLine& claim : claims) {
       ++read;
-      const Verdict verdict = prover().settle(claim.equality, Assumption::motion);
-      const bool refuted = verdict == Verdict::holds && prover().refute(claim.equality, Assumption::motion);
+      const Verdict verdict = prover().settle(claim.equality, LawsAssumed::motion);
+      const bool refuted = verdict == Verdict::holds && prover().refute(claim.equality, LawsAssumed::motion);
       EXPECT_FALSE(refuted) << line;
     }
     for (const Diagnostic& d : report.take()) {

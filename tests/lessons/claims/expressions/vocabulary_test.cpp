@@ -45,7 +45,7 @@ std::vector<std::string> faults(const std::string& text, const Vocabulary& vocab
 
 bool are_same(const std::string& left, const std::string& right) {
   const Vocabulary vocabulary = words();
-  return Prover().settle({*read(left, vocabulary), *read(right, vocabulary)}, Assumption::identity) ==
+  return Prover().settle({*read(left, vocabulary), *read(right, vocabulary)}, LawsAssumed::identity) ==
          Verdict::holds;
 }
 
@@ -62,7 +62,7 @@ TEST(Vocabulary, AConstantIsAnyNumberForProofs) {
   EXPECT_TRUE(are_same("ddt(mgl)", "0"));
   const Vocabulary vocabulary = words();
   const auto counter =
-      Prover().refute({*read("mgl*T", vocabulary), *read("T", vocabulary)}, Assumption::identity);
+      Prover().refute({*read("mgl*T", vocabulary), *read("T", vocabulary)}, LawsAssumed::identity);
   ASSERT_TRUE(counter);
   EXPECT_THAT(counter->state, HasSubstr("mgl = 2"));
 }

@@ -168,25 +168,25 @@ TEST(Expansion, EndsSoonWhateverIsAsked) {
     EXPECT_LE(2 * side->nodes.size(), kMostExpandedNodes) << "this is not expanded";
     const Equality sides{*side, equality("w2 + w1", "0").left};
     if (testing::kSanitized) {
-      prover().settle_to_order(sides, Assumption::motion, near);
+      prover().settle_in_series(sides, LawsAssumed::motion, near);
       continue;
     }
     double least = std::numeric_limits<double>::infinity();
     for (int run = 0; run < 3; ++run) {
       const std::clock_t begin = std::clock();
       // Without the search for a state, which is bounded by itself.
-      prover().settle_to_order({*side, *side}, Assumption::motion, near);
+      prover().settle_in_series({*side, *side}, LawsAssumed::motion, near);
       least = std::min(least, 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     }
     EXPECT_LT(least, 10);
     longest = std::max(longest, least);
     const long kilobytes = testing::peak_kilobytes([&]() -> std::size_t {
-      return prover().settle_to_order(sides, Assumption::motion, near).message.size();
+      return prover().settle_in_series(sides, LawsAssumed::motion, near).message.size();
     });
     EXPECT_LT(kilobytes, 16 * 1024);
     most_kilobytes = std::max(most_kilobytes, kilobytes);
     const std::clock_t begin = std::clock();
-    prover().settle_to_order(sides, Assumption::motion, near);
+    prover().settle_in_series(sides, LawsAssumed::motion, near);
     const double search = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     EXPECT_LT(search, 100) << "with the search";
     longest_search = std::max(longest_search, search);

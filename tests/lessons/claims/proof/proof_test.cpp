@@ -198,7 +198,7 @@ TEST(Proof, ComparesLengthsByTheirSquares) {
 // No reader lets such a line through to be proved; the prover itself must not square one side alone.
 TEST(Proof, DoesNotTakeALengthForItsSquare) {
   const ClaimLine line = line_of("norm(omega) = norm2(omega)", ClaimKind::measured);
-  EXPECT_NE(prover().settle(line.equality, Assumption::identity), Verdict::holds);
+  EXPECT_NE(prover().settle(line.equality, LawsAssumed::identity), Verdict::holds);
 }
 
 TEST(Proof, ACounterexampleOfLengthsHasTheirValues) {
@@ -239,7 +239,7 @@ TEST(Proof, TellsConstantsApartHoweverManyThereAre) {
     return read_expression(text, {1, 1}, at.report, &words).value();
   };
   const auto settled = [&](const std::string& left, const std::string& right) {
-    return prover().settle({read(left), read(right)}, Assumption::identity);
+    return prover().settle({read(left), read(right)}, LawsAssumed::identity);
   };
   EXPECT_EQ(settled("word39 + word2", "word2 + word39"), Verdict::holds);
   for (const char* other : {"word2", "word15", "word16", "word38"})

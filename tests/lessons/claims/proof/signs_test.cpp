@@ -2,7 +2,7 @@
 #include "lessons/claims/proof/signs.h"
 
 #include "lessons/claims/proof/proof.h"
-#include "lessons/claims/proof/small_states.h"
+#include "lessons/claims/proof/whole_number_states.h"
 #include "lessons/reader/claim_lines.h"
 #include "tests/lessons/peak_memory.h"
 #include "tests/lessons/support.h"
@@ -223,7 +223,7 @@ TEST(Signs, OfNothingFalseAreProved) {
     const std::string left = product() + pick({"+", "-"}) + product(), right = n % 3 == 0 ? product() : "0*T";
     const Equality sides = equality(left, right);
     const bool strict = n % 2 == 0;
-    if (!is_never_less(sides, strict, Assumption::motion, {})) continue;
+    if (!is_never_less(sides, strict, LawsAssumed::motion, {})) continue;
     ++proved;
     for (int state = 0; state < 200; ++state) {
       StateNumbers<SizedNumber> numbers;
@@ -232,7 +232,7 @@ TEST(Signs, OfNothingFalseAreProved) {
       for (auto* vector : {&numbers.w, &numbers.N_B})
         for (SizedNumber& x : *vector) x = 4 * draw() - 2;
       numbers.m = 2 * draw() + 1e-3;
-      const auto values = sides_of(sides, state_of(numbers, Assumption::motion)).value();
+      const auto values = sides_of(sides, state_of(numbers, LawsAssumed::motion)).value();
       const double difference = values.left[0].value.value - values.right[0].value.value;
       EXPECT_GE(difference, -1e-14 * (values.left[0].value.size + values.right[0].value.size))
           << left << " >= " << right;
@@ -258,7 +258,7 @@ TEST(Signs, OfNothingFalseAreProvedWithinInequalities) {
     const std::string left = product() + pick({"+", "-"}) + product(), right = n % 3 == 0 ? product() : "0*T";
     const Equality sides = equality(left, right);
     const bool strict = n % 2 == 0;
-    if (!is_never_less(sides, strict, Assumption::motion, given)) continue;
+    if (!is_never_less(sides, strict, LawsAssumed::motion, given)) continue;
     ++proved;
     for (int state = 0; state < 400; ++state) {
       StateNumbers<SizedNumber> numbers;
@@ -266,7 +266,7 @@ TEST(Signs, OfNothingFalseAreProvedWithinInequalities) {
       numbers.I = {b + c, a + c, a + b};
       for (SizedNumber& x : numbers.w) x = 4 * draw() - 2;
       numbers.h = 4 * draw() - 2;
-      const auto at = state_of(numbers, Assumption::motion);
+      const auto at = state_of(numbers, LawsAssumed::motion);
       if (!holds_in(given, at, 0)) continue;
       const auto values = sides_of(sides, at).value();
       const double difference = values.left[0].value.value - values.right[0].value.value;
@@ -287,7 +287,7 @@ TEST(Signs, EndSoonWhateverIsAsked) {
                                 "1/(" + sum + ")^3 + 1/(1 + T)^5 + ddt(ddt(1/T))"}) {
     const Equality sides = equality(text, "0");
     const std::clock_t begin = std::clock();
-    is_never_less(sides, false, Assumption::motion, given_by({{Quantity::N, "h*cross(ez, e3)"}}));
+    is_never_less(sides, false, LawsAssumed::motion, given_by({{Quantity::N, "h*cross(ez, e3)"}}));
     const double took_ms = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     if (!testing::kSanitized) {
       EXPECT_LT(took_ms, 20) << text.substr(0, 30);

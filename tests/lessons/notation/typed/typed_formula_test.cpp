@@ -106,7 +106,7 @@ TEST(TypingOf, ReadsBackAsTheSame) {
     const auto read = read_equation(*math, EquationNotation());
     ASSERT_TRUE(read) << typed << ": " << read.error().reason;
     const Equality same{read->sentences.front().links.front().equality.left, *expression};
-    EXPECT_EQ(Prover().settle(same, Assumption::identity), Verdict::holds) << text << " is typed " << typed;
+    EXPECT_EQ(Prover().settle(same, LawsAssumed::identity), Verdict::holds) << text << " is typed " << typed;
   }
 }
 

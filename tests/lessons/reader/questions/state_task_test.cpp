@@ -111,7 +111,7 @@ TEST(StateTask, TimeIsThatOfTheStateOrTheStart) {
   const std::string goals = "goals = [{ of = 'w2', is = 0, within = 0.01, unit = 'rad/s' }]\n";
   const std::string flip = scene("body = 'textbook'\nomega = [0.3, 3, 0]\nat = 1");
   const auto timed = task_of(fence(goals + "change = ['t']\nsolution = { t = 1 }") + flip);
-  const SceneModel model = make_model(*timed->scene, Product::numbers);
+  const SceneModel model = make_model(*timed->scene, ModelFor::numbers);
   double flip_s = 0;  // of the first flip, by halving
   for (double low = 0, high = 4; high - low > 1e-12; flip_s = low) {
     const double half = std::midpoint(low, high);

@@ -88,7 +88,7 @@ TEST(MarkKeys, KnowWhatAVectorIs) {
 TEST(MarkKeys, SpeakOfTheMotion) {
   Scene scene;
   scene.w0_B = Vec3(0.3, 1.2, 0.7);
-  const SceneModel model = make_model(scene, Product::numbers);
+  const SceneModel model = make_model(scene, ModelFor::numbers);
   const Marks marks = marks_of("arrows = [{ of = 'ddt(e3)', at = 'omega - comp(omega, 3)*e3' }]");
   for (const double t_s : {0.0, 0.9}) {
     const RigidBodyState now = model.motion->at(t_s);

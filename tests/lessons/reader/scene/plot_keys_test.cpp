@@ -81,7 +81,7 @@ TEST(PlotKeys, AFunctionIsThatOfItsVariable) {
   EXPECT_THAT(own.function->tex, HasSubstr("u^{2}")) << "the variable is printed as what it is on the motion";
   Scene scene;
   scene.w0_B = Vec3(0.1, 0.2, 0.3);
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   const Vec3& I = scene.body.moments.vector();
   const double T = 0.5 * scene.w0_B.cwiseAbs2().dot(I);
   const auto y = own.function->values(model, {-1, 0.0, 0.5});
@@ -91,7 +91,7 @@ TEST(PlotKeys, AFunctionIsThatOfItsVariable) {
 
 TEST(PlotKeys, AFunctionHasGapsAtItsPoles) {
   const OwnPlot own = own_plot(R"x({ curve = "1/x", x = { of = "u", from = -1, to = 1 } })x");
-  const SceneModel model = make_model(Scene(), Product::page);
+  const SceneModel model = make_model(Scene(), ModelFor::page);
   const auto y = own.function->values(model, {0.0, 0.5});
   EXPECT_TRUE(std::isnan(y[0]));
   EXPECT_EQ(y[1], 2.0);
@@ -198,7 +198,7 @@ const Lesson& example() {
 
 TEST(PlotsOfTheFormat, TheTopTurnsBackWhereItsPotentialMeetsItsLevel) {
   const Scene& scene = *example().stages.front().steps.front().scene;
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   const PlotFunction& f = *std::get<OwnPlot>(scene.meters.at(1)).function;
   const auto level_at = [&](double t_s) { return f.level->value(model, t_s, model.motion->at(t_s))->x(); };
   const auto u_at = [&](double t_s) { return f.of.value(model, t_s, model.motion->at(t_s))->x(); };

@@ -54,7 +54,7 @@ double value_of(const SceneQuantity& quantity, const SceneModel& model, double t
 
 TEST(SceneQuantity, IsWhatTheLessonSaysOnTheMotionOfTheScene) {
   const Scene scene = scene_of(lesson_plotting({"E", "u", "norm(L)", "ddt(T)", "mgl*u + T", "w1"}));
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   EXPECT_TRUE(model.needs.omega && model.needs.attitude) << "a quantity may speak of all of the motion";
 
   const PrincipalMoments& I = model.scene.body.moments;
@@ -106,7 +106,7 @@ TEST(SceneQuantity, IsTheSameIfItsTextAndItsMeaningAre) {
 
 TEST(SceneQuantity, HasNoValueWhereItIsNotDefined) {
   const Scene scene = scene_of(lesson_plotting({"1/(u - u)", "sqrt(0 - u^2 - 1)"}));
-  const SceneModel model = make_model(scene, Product::page);
+  const SceneModel model = make_model(scene, ModelFor::page);
   for (const SceneQuantity& quantity : curves_of(scene))
     EXPECT_TRUE(std::isnan(value_of(quantity, model, 0.1))) << quantity.text;
 }

@@ -145,11 +145,11 @@ TEST(SideBySide, ACommonCaptionThatNoneShowsIsSaid) {
 
 TEST(SideBySide, AreModelledTogetherButForNumbers) {
   const Scene first = shown_by("scenes = [{}, { omega = [0, 0, 4] }]");
-  const SceneModel page = make_model(first, Product::page);
+  const SceneModel page = make_model(first, ModelFor::page);
   ASSERT_THAT(page.beside, SizeIs(1));
   EXPECT_EQ(page.beside[0].motion->w_B_at(1.0), Vec3(0, 0, 4)) << "a steady spin";
   EXPECT_THAT(shown_models(page), ElementsAre(&page, &page.beside[0]));
-  const SceneModel numbers = make_model(first, Product::numbers);
+  const SceneModel numbers = make_model(first, ModelFor::numbers);
   EXPECT_THAT(numbers.beside, IsEmpty());
   EXPECT_THAT(shown_models(numbers), ElementsAre(&numbers));
 }

@@ -262,6 +262,16 @@ TEST(Diagrams, TheOrderPlotMeasuresOrders) {
     EXPECT_EQ(texts_of(sheet, label).size(), 1u) << label;
 }
 
+// Of a page to read: beside the text one picture has much width and little height.
+TEST(Diagrams, TheOrderPlotTakesAllTheRoomOfItsBox) {
+  for (const PixelBox& box : {PixelBox{0, 0, 990, 400}, PixelBox{0, 0, 500, 480}, PixelBox{0, 0, 700, 700}}) {
+    const Vec2 extent = diagram_extent(Overlay::order_plot, box);
+    EXPECT_NEAR(extent.x() / extent.y(), box.width() / box.height(), 1e-12);
+    EXPECT_GE(extent.x(), 30 * (1 - 1e-12)) << "rounded";
+    EXPECT_GE(extent.y(), 20 * (1 - 1e-12));
+  }
+}
+
 TEST(Diagrams, TheMethodsThatAreComparedAreThoseThatASceneNames) {
   Scene scene = scene_of(Overlay::order_plot);
   scene.motion = {.method = Method::rk4, .step_s = 0.1};

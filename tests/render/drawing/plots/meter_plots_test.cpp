@@ -21,7 +21,7 @@ const std::vector<PlotSpec> kAll = {Meter::omega, Meter::energy, Meter::momentum
 
 SceneModel page_of(Scene scene, std::vector<PlotSpec> meters = kAll) {
   scene.meters = std::move(meters);
-  return make_model(scene, Product::page);
+  return make_model(scene, ModelFor::page);
 }
 
 Scene driven_top() {

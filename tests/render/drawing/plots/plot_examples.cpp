@@ -23,7 +23,7 @@ PlotSeries stepper(const char* label, PlotLook look, double order, double consta
 
 }  // namespace
 
-WorkPrecisionPlot ladder_plot() {
+WorkPrecisionPlot plot_of_all_methods() {
   using L = PlotLook;
   WorkPrecisionPlot plot;
   plot.title = "Work and precision after 100 periods";

@@ -6,8 +6,8 @@
 
 namespace polhode {
 
-/// A full ladder: thirteen steppers whose errors fall with their order down to rounding, and the exact
+/// All methods: thirteen steppers whose errors fall with their order down to rounding, and the exact
 /// motion.
-WorkPrecisionPlot ladder_plot();
+WorkPrecisionPlot plot_of_all_methods();
 
 }  // namespace polhode

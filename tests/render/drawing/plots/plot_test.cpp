@@ -53,7 +53,7 @@ void expect_finite(const Sheet& sheet) {
 }
 
 TEST(Plot, NamesEveryCurveOnceAndClearOfAllOtherText) {
-  const WorkPrecisionPlot plot = ladder_plot();
+  const WorkPrecisionPlot plot = plot_of_all_methods();
   const Sheet sheet = sheet_of(plot);
   for (const PlotSeries& s : plot.series) EXPECT_EQ(texts_of(sheet, s.label).size(), 1u) << s.label;
   for (const char* text : {"tolerance 10⁻⁶", "cheapest within the tolerance", "10⁻¹²", "10⁴"})
@@ -62,8 +62,8 @@ TEST(Plot, NamesEveryCurveOnceAndClearOfAllOtherText) {
 }
 
 TEST(Plot, NamesKeepClearAtOtherSizes) {
-  expect_tidy(sheet_of(ladder_plot(), 1280, 720), 1280, 720);
-  expect_tidy(sheet_of(ladder_plot(), 2400, 1000), 2400, 1000);
+  expect_tidy(sheet_of(plot_of_all_methods(), 1280, 720), 1280, 720);
+  expect_tidy(sheet_of(plot_of_all_methods(), 2400, 1000), 2400, 1000);
 }
 
 TEST(Plot, CurvesThatEndInOnePointAreStillNamedApart) {

@@ -42,7 +42,7 @@ TEST(Requirements, SpaceAxesInTheSpaceViewNeedNothing) {
 
 TEST(Requirements, NumbersNeedTheMotionAndNothingThatIsDrawn) {
   const Scene scene = scene_with({O::polhode, O::shape, O::method_table}, {View::body});
-  EXPECT_EQ(requirements(scene, Product::numbers), (Requirements{.omega = true, .attitude = true}));
+  EXPECT_EQ(requirements(scene, ModelFor::numbers), (Requirements{.omega = true, .attitude = true}));
 }
 
 TEST(Requirements, ATorqueThatDependsOnAttitudeNeedsIt) {
@@ -64,16 +64,16 @@ TEST(Requirements, WhatPlotsNeedIsOfPagesAlone) {
   EXPECT_FALSE(figure.meters);
   EXPECT_FALSE(figure.attitude);
   scene.meters = std::vector<PlotSpec>{Meter::omega, Meter::energy, Meter::momentum};
-  EXPECT_TRUE(requirements(scene, Product::page).meters);
-  EXPECT_FALSE(requirements(scene, Product::page).attitude) << "|L| is that of the body's frame";
+  EXPECT_TRUE(requirements(scene, ModelFor::page).meters);
+  EXPECT_FALSE(requirements(scene, ModelFor::page).attitude) << "|L| is that of the body's frame";
   scene.meters.emplace_back(Meter::drift);
-  EXPECT_TRUE(requirements(scene, Product::page).attitude);
+  EXPECT_TRUE(requirements(scene, ModelFor::page).attitude);
   EXPECT_EQ(requirements(scene), figure);
   scene.meters = std::vector<PlotSpec>{Meter::momentum};
   scene.torque = {BodyTorque{Vec3(1, 0, 0)}};
-  EXPECT_TRUE(requirements(scene, Product::page).attitude) << "under torque L has components in space";
+  EXPECT_TRUE(requirements(scene, ModelFor::page).attitude) << "under torque L has components in space";
   scene.meters = std::vector<PlotSpec>{};
-  EXPECT_EQ(requirements(scene, Product::page), requirements(scene));
+  EXPECT_EQ(requirements(scene, ModelFor::page), requirements(scene));
 }
 
 TEST(Requirements, NamesAreThoseThatAreNeeded) {
@@ -271,15 +271,15 @@ TEST(Model, TellsWhatItCosts) {
   Scene scene = scene_with({O::omega, O::herpolhode});
   std::int64_t told = 0;
   const Effort effort = [&](std::int64_t n) { told += n; };
-  const SceneModel closed = make_model(scene, Product::figure, effort);
+  const SceneModel closed = make_model(scene, ModelFor::figure, effort);
   EXPECT_GE(told, static_cast<std::int64_t>(closed.herpolhode_S.points.size()));
   scene.show = {O::method_table};
   scene.at_s = 5;
   told = 0;
-  static_cast<void>(make_model(scene, Product::figure, effort));
+  static_cast<void>(make_model(scene, ModelFor::figure, effort));
   EXPECT_GT(told, 1000);
   Budget budget(1000);
-  EXPECT_THROW(make_model(scene, Product::figure, budget.effort()), BudgetSpent);
+  EXPECT_THROW(make_model(scene, ModelFor::figure, budget.effort()), BudgetSpent);
 }
 
 TEST(DrawnOverlays, LeaveOutWhatThereIsNothingToSeeOf) {

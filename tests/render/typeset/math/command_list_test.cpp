@@ -116,9 +116,10 @@ std::string list_of(const std::vector<std::string_view>& names) {
 std::string all_commands_as_markdown() {
   const std::vector<Group>& all = groups();
   std::vector<std::string> lists(all.size());
-  for (const MathCommand& command : math_commands()) {
+  for (const std::string_view name : math_command_names()) {
+    const MathCommand& command = *math_command(name);
     const auto group = std::find_if(all.begin(), all.end(), [&](const Group& g) { return g.holds(command); });
-    if (group == all.end()) throw std::runtime_error("in no group: " + std::string(command.name));
+    if (group == all.end()) throw std::runtime_error("in no group: " + std::string(name));
     std::string& list = lists[static_cast<std::size_t>(group - all.begin())];
     list += (list.empty() ? "" : ", ") + entry_of(command);
   }

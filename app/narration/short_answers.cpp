@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "app/narration/short_answers.h"
+
+#include "base/ascii.h"
+#include "lessons/claims/answers/number_answer.h"
+#include "lessons/claims/expressions/expression_tex.h"
+#include "lessons/reader/questions/state_task.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace polhode {
+
+namespace {
+
+/// Whether nobody would mind to read its numbers: each has few digits.
+bool is_read_at_a_glance(std::string_view state) {
+  constexpr int kMostDigits = 4;
+  int digits = 0;
+  for (const char c : state) {
+    digits = is_digit(c) ? digits + 1 : c == '.' ? digits : 0;
+    if (digits > kMostDigits) return false;
+  }
+  constexpr std::size_t kMostCharacters = 60;
+  return !state.empty() && state.size() <= kMostCharacters;
+}
+
+std::string answer_in_short(const Lesson& lesson, const Ask& ask) {
+  if (ask.type == Ask::Type::derive) return {};
+  if (ask.expression) return '$' + tex_of(*ask.expression, &lesson.notation.vocabulary) + '$';
+  if (ask.number) {
+    const std::string words = words_of(*ask.number);
+    constexpr std::string_view kDegrees = " deg";
+    return words.ends_with(kDegrees) ? words.substr(0, words.size() - kDegrees.size()) + "°" : words;
+  }
+  if (ask.task) {
+    const std::string state = text_of(ask.task->solution);
+    return is_read_at_a_glance(state) ? "for example " + state : "";
+  }
+  std::string letters;
+  for (const int answer : ask.answers) {
+    if (!letters.empty()) letters += ' ';
+    letters += letter_of_choice(static_cast<std::size_t>(answer - 1));
+  }
+  return letters;
+}
+
+}  // namespace
+
+std::string short_answers(const Lesson& lesson, const Stage& stage) {
+  std::string line;
+  for (std::size_t i = 0; i < stage.steps.size(); ++i)
+    for (const Ask* ask : blocks_of<Ask>(stage.steps[i]))
+      if (const std::string answer = answer_in_short(lesson, *ask); !answer.empty())
+        line += fmt::format("{}step {}, {}", line.empty() ? "Answers: " : "; ", i + 1, answer);
+  return line;
+}
+
+}  // namespace polhode

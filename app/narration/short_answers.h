@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The answers to a stage's questions in a line, as at the end of a textbook's chapter.
+#pragma once
+
+#include "lessons/reader/lesson.h"
+
+#include <string>
+
+namespace polhode {
+
+/// "Answers: step 2, B; step 4, 0.25 J; step 7, for example omega = [1.5, 0, 0.45]", as set_lines() of
+/// render/typeset/paragraph.h sets it; empty where nothing is asked. Of an order the letters from the first
+/// to the last. Derivations are left out, for their lines are the text's own, and states whose
+/// numbers have many digits.
+std::string short_answers(const Lesson& lesson, const Stage& stage);
+
+}  // namespace polhode
