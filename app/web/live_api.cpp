@@ -150,6 +150,9 @@ EMSCRIPTEN_KEEPALIVE void polhode_begin_change() {
 EMSCRIPTEN_KEEPALIVE int polhode_set_omega(double w1, double w2, double w3) {
   return changed([&] { return module().figure.set_omega({w1, w2, w3}); });
 }
+EMSCRIPTEN_KEEPALIVE int polhode_set_attitude(double w, double x, double y, double z) {
+  return changed([&] { return module().figure.set_attitude(Quat(w, x, y, z)); });
+}
 EMSCRIPTEN_KEEPALIVE int polhode_set_moments(double I1, double I2, double I3) {
   return changed([&] { return module().figure.set_moments({I1, I2, I3}); });
 }

@@ -88,7 +88,9 @@ int polhode_key(const char* key);
 // What is changed of the scene. Several changes between two polhode_begin_change() are undone at once.
 
 void polhode_begin_change(void);
-int polhode_set_omega(double w1, double w2, double w3);    ///< rad/s at t = 0
+int polhode_set_omega(double w1, double w2, double w3);  ///< rad/s at t = 0
+/// From body to space at t = 0, scalar first; of any length but 0.
+int polhode_set_attitude(double w, double x, double y, double z);
 int polhode_set_moments(double I1, double I2, double I3);  ///< kg m²
 int polhode_set_body(const char* name);                    ///< of `bodies` in the state
 int polhode_vary(int number, double value);                ///< of `vary` in the state, from 0; in its unit
@@ -108,8 +110,10 @@ void polhode_light(const char* id);
 const char* polhode_message(void);
 /// { "t", "omega": [3], "quaternion": [w, x, y, z] (body to space), "L": [3] (space), "T", "L_norm",
 ///   "terms": {"inertial": [3], "gyroscopic": [3], "torque": [3]} (I·ω̇ + ω×(I·ω) = N, body axes; N m),
-///   "omega0": [3], "moments": [3], "body", "torque_free",
-///   "camera": {"azimuth", "elevation", "zoom"}, "following",
+///   "omega0": [3], "attitude0": [w, x, y, z] (at t = 0, as a hand has left it; null: as the lesson has it),
+///   "moments": [3], "body", "torque_free",
+///   "camera": {"azimuth", "elevation", "zoom"},
+///   "in_space" (there is something to turn; false: diagrams alone), "following",
 ///   "stage" (from 1), "stage_id", "step" (from 1), "changed" (something is not the lesson's), "can_undo",
 ///   "playing", "speed", "rate" (simulated seconds a shown one), "from", "to" (the time line's),
 ///   "duration", "still" (the t of a still), "period" (of the polhode, null: none), "flips": [t…],

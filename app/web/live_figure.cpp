@@ -364,6 +364,15 @@ Status LiveFigure::set_omega(const Vec3& w0_B) {
   return edit(edits);
 }
 
+Status LiveFigure::set_attitude(const Quat& q_SB) {
+  if (!model()) return failure(kNoScene);
+  if (!q_SB.coeffs().allFinite() || !(q_SB.norm() > 0) || !std::isfinite(q_SB.norm()))
+    return failure("An attitude has four numbers, not all of them 0.");
+  SceneEdits edits = session_->edits();
+  edits.attitude = q_SB.normalized();
+  return edit(edits);
+}
+
 Status LiveFigure::set_moments(const Vec3& moments) {
   if (!model()) return failure(kNoScene);
   Result<Body> body = body_with_moments(moments);

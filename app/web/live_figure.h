@@ -74,6 +74,7 @@ class LiveFigure {
 
   void begin_change();
   Status set_omega(const Vec3& w0_B);
+  Status set_attitude(const Quat& q_SB);
   Status set_moments(const Vec3& moments);
   Status set_body(std::string_view name);
   Status vary(std::size_t number, double value);

@@ -14,7 +14,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace polhode {
 
@@ -81,6 +83,18 @@ Json json_of_overlays(const SceneModel& model) {
   return all;
 }
 
+/// Null as well where an edit has L stand, which the lesson's scene and an address say in other ways.
+Json json_of_attitude(const SceneEdits& edits) {
+  const Quat* q_SB = edits.attitude ? std::get_if<Quat>(&*edits.attitude) : nullptr;
+  return q_SB ? Json{q_SB->w(), q_SB->x(), q_SB->y(), q_SB->z()} : Json(nullptr);
+}
+
+/// Whether anything is there to be turned: a diagram is flat.
+bool is_in_space(const SceneModel& model) {
+  const auto is = [](const SceneModel& one) { return shows_space(one.drawn, one.needs.marks); };
+  return is(model) || std::any_of(model.beside.begin(), model.beside.end(), is);
+}
+
 Json json_of_tips(const LiveFigure& figure, const SceneModel& model, double t_s) {
   Json all = Json::array();
   for (const TipOnScreen& tip : omega_tips(model, t_s, figure.insets()))
@@ -122,11 +136,13 @@ std::string state_json(LiveFigure& figure, const std::string& message) {
         {"gyroscopic", json_of(terms.gyroscopic_B)},
         {"torque", json_of(terms.N_B)}}},
       {"omega0", json_of(scene.w0_B)},
+      {"attitude0", json_of_attitude(session.edits())},
       {"moments", json_of(I.vector())},
       {"body", scene.body.name},
       {"torque_free", scene.torque.empty()},
       {"camera",
        {{"azimuth", camera.azimuth_rad}, {"elevation", camera.elevation_rad}, {"zoom", camera.zoom}}},
+      {"in_space", is_in_space(*model)},
       {"following", session.is_following()},
       {"stage", session.place().stage + 1},
       {"stage_id", session.stage().id},

@@ -92,6 +92,8 @@
       this.time = slider("t", seconds, (t) => { program.call("set_playing", 0); view.edit(() => program.call("set_time", t)); });
       this.time.line.classList.add("live-time");
       const turn = (words, x, y, label) => button(words, () => { program.call("turn", x / 24, y / 24); view.touch(); }, label);
+      const turns = program.state().in_space;
+      view.turns(turns);
       const zoom = (words, by, label) => button(words, () => { program.call("zoom", by); view.touch(); }, label);
       this.vary = program.state().vary.map((one, i) =>
         slider(one.number, (value) => number(value, 3) + (one.unit ? " " + one.unit : ""), (value) => view.edit(() => program.call("vary", i, value))));
@@ -108,8 +110,8 @@
         make("div", { class: "live-row" }, this.play, this.time.line),
         ...this.vary.map((one) => one.line),
         make("div", { class: "live-row" },
-          turn("◂", -1, 0, "Turn to the left"), turn("▸", 1, 0, "Turn to the right"), turn("▴", 0, -1, "Turn up"), turn("▾", 0, 1, "Turn down"),
-          zoom("+", 1, "Nearer"), zoom("−", -1, "Farther"),
+          ...(turns ? [turn("◂", -1, 0, "Turn to the left"), turn("▸", 1, 0, "Turn to the right"), turn("▴", 0, -1, "Turn up"), turn("▾", 0, 1, "Turn down"),
+            zoom("+", 1, "Nearer"), zoom("−", -1, "Farther")] : []),
           button("As in the lesson", () => view.edit(() => program.call("reset"))),
           button("Copy link", () => polhodeLive.copyLink(this.id, program.state(), (words) => { this.note.textContent = words; })),
           button("Picture", () => this.close())),

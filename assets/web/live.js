@@ -90,7 +90,8 @@ const polhodeLive = (() => {
       this.program = program;
       this.canvas = make("canvas", { id: "polhode.canvas", role: "img", "aria-label": "The figure, live" });
       this.box = make("div", { class: "live-view", tabindex: "0", role: "group",
-        "aria-label": "Live figure. Arrow keys turn it, plus and minus zoom, Space plays." }, this.canvas);
+        "aria-label": "Live figure" }, this.canvas);
+      this.turns(true);
       this.pointers = new Map();
       [this.frame, this.last, this.slow] = [0, null, 1];
       this.listen();
@@ -100,6 +101,13 @@ const polhodeLive = (() => {
       dark.addEventListener("change", () => { this.program.call("set_theme", theme()); this.wake(); });
     }
 
+    /// A diagram is flat: nothing of it can be turned, and nothing says so.
+    turns(can) {
+      this.flat = !can;
+      this.box.setAttribute("aria-label",
+        can ? "Live figure. Arrow keys turn it, plus and minus zoom, Space plays." : "Live figure. Space plays.");
+      this.box.toggleAttribute("data-flat", !can);
+    }
     /// Into the document, where `host` is told of it. False: it cannot be drawn here, and `host` was told.
     begin(host, where) {
       this.host?.left?.();
@@ -215,7 +223,7 @@ const polhodeLive = (() => {
         if (this.pointers.size === 1) {
           if (!this.pinch) pointer(1, event);
           this.host.refused?.(this.program.message());
-        } else if (this.pinch && this.pointers.size === 2) {
+        } else if (this.pinch && this.pointers.size === 2 && !this.flat) {
           const now = middle(), height = this.canvas.height;
           this.program.call("zoom", Math.log(now.apart / this.pinch.apart) / Math.log(1.1));
           this.program.call("turn", (now.x - this.pinch.x) / height, (now.y - this.pinch.y) / height);
@@ -239,7 +247,7 @@ const polhodeLive = (() => {
       this.hear();
       // A wheel alone scrolls the page; with Ctrl, as a pad's two fingers come, it zooms.
       this.box.addEventListener("wheel", (event) => {
-        if (!event.ctrlKey) return;
+        if (!event.ctrlKey || this.flat) return;
         event.preventDefault();
         this.program.call("zoom", -event.deltaY / (event.deltaMode ? 3 : 50));
         this.touch();
@@ -250,6 +258,7 @@ const polhodeLive = (() => {
         const zooms = { "+": 1, "=": 1, "-": -1 };
         const keys = { " ": "Space", "r": "R", "z": "Ctrl+Z", "[": "[", "]": "]", "{": "{", "}": "}" };
         if (event.key === "Escape" && this.host.close) return this.host.close();
+        if (this.flat && (turns[event.key] || zooms[event.key])) return;
         if (turns[event.key]) this.program.call("turn", ...turns[event.key].map((way) => way / 24));
         else if (zooms[event.key]) this.program.call("zoom", zooms[event.key]);
         else if (keys[event.key] && (event.key !== "z" || event.ctrlKey)) this.program.call("key", keys[event.key]);
@@ -284,6 +293,8 @@ const polhodeLive = (() => {
     if (state.playing) parts.push("play");
     if (state.changed) {
       parts.push("omega=" + state.omega0.join(), "I=" + state.moments.join());
+      // A hand that has taken ω left the body where it was.
+      if (state.attitude0) parts.push("q=" + state.attitude0.join());
       if (state.method.control !== "none" || state.method.name !== "exact")
         parts.push("method=" + state.method.name, "h=" + (state.method.step ?? state.method.tolerance ?? 0));
       if (state.vary.length) parts.push("vary=" + state.vary.map((one) => one.value).join());
@@ -298,10 +309,11 @@ const polhodeLive = (() => {
     const had = program.state();
     const refused = [];
     const put = (name, ...values) => { if (!program.call(name, ...values)) refused.push(program.message()); };
-    const I = list("I"), omega = list("omega"), camera = list("camera");
+    const I = list("I"), omega = list("omega"), q = list("q"), camera = list("camera");
     if (finite(I, 3) && I.some((one, i) => one !== had.moments[i])) put("set_moments", ...I);
     list("vary").forEach((value, i) => { if (i < had.vary.length) put("vary", i, value); });
     if (finite(omega, 3)) put("set_omega", ...omega);
+    if (finite(q, 4)) put("set_attitude", ...q);
     if (wanted.get("method")) put("set_method", wanted.get("method"), Number(wanted.get("h")) || 0);
     if (finite(camera, 3)) put("set_camera", ...camera);
     if (wanted.has("t") && Number.isFinite(Number(wanted.get("t")))) put("set_time", Number(wanted.get("t")));

@@ -251,7 +251,7 @@
       const wrong = meter.call("set_time", long) ? meter.state().error?.attitude : NaN;
       made.push({ cost: reached > 0 ? took * 60 / reached : NaN, wrong: wrong ?? NaN });
     }
-    const cells = (one) => [number(one.cost, 2) + " ms", Number.isFinite(one.wrong) ? number(one.wrong / kDegree, 2) + "°" : "breaks down"];
+    const cells = (one) => [Number.isFinite(one.cost) ? number(one.cost, 2) + " ms" : "–", Number.isFinite(one.wrong) ? number(one.wrong / kDegree, 2) + "°" : "breaks down"];
     rows.replaceChildren(...kMethods.map((one, i) => make("tr", {}, make("th", { scope: "row" }, one.words),
       ...(i === kExact ? ["any t at once", "0°"] : cells(made[i])).map((words) => make("td", {}, words)))));
     plot(made);

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <regex>
 #include <set>
@@ -98,6 +99,36 @@ TEST(LiveFigure, SaysACaptionsTypedAndComputedNumbers) {
   EXPECT_NE(words.at("alt").get<std::string>().find("3.02"), std::string::npos) << words;
 }
 
+// A diagram cannot be turned.
+TEST(LiveFigure, KnowsWhetherItIsInSpace) {
+  LiveFigure figure;
+  open(figure);
+  EXPECT_EQ(state_of(figure).at("in_space"), true);
+  ASSERT_TRUE(figure.open_scene("body = \"textbook\"\nomega = [0.1, 3, 0.1]\nshow = [\"tensor-bars\"]", ""));
+  EXPECT_EQ(state_of(figure).at("in_space"), false);
+  ASSERT_TRUE(figure.open_scene(
+      "body = \"textbook\"\nomega = [0.1, 3, 0.1]\nshow = [\"tensor-bars\", \"shape\"]", ""));
+  EXPECT_EQ(state_of(figure).at("in_space"), true);
+}
+
+// As the lesson has it, it stands for L's place, which goes with ω; stated, it is a place of its own.
+TEST(LiveFigure, StartsFromAnAttitudeThatIsStated) {
+  LiveFigure figure;
+  open(figure);
+  EXPECT_TRUE(state_of(figure).at("attitude0").is_null());
+  ASSERT_TRUE(figure.set_attitude(Quat(2, 0, 2, 0)));
+  ASSERT_TRUE(figure.set_omega({1, 2, 3}));
+  ASSERT_TRUE(figure.set_time(0));
+  const Json state = state_of(figure);
+  const double half = std::sqrt(0.5);
+  for (const char* name : {"attitude0", "quaternion"}) {
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_NEAR(state.at(name).at(i).get<double>(), i % 2 == 0 ? half : 0, 1e-15) << name;
+  }
+  ASSERT_TRUE(figure.reset());
+  EXPECT_TRUE(state_of(figure).at("attitude0").is_null());
+}
+
 // A stage is read when it is shown, as in the whole lesson; a slide, which may speak of others, has it whole.
 TEST(LiveFigure, ReadsAStageWhenItIsShown) {
   std::string text = kLesson;
@@ -137,6 +168,7 @@ TEST(LiveFigure, RefusesInWords) {
   EXPECT_FALSE(figure.show(std::string_view("words"), 1));
   EXPECT_FALSE(figure.set_moments({1, 1, 3}));  // more than the sum of the other two
   EXPECT_FALSE(figure.set_method("rk5", 0.01));
+  EXPECT_FALSE(figure.set_attitude(Quat(0, 0, 0, 0)));
   EXPECT_FALSE(figure.set_body("cloud"));
   EXPECT_FALSE(figure.show_overlay("halo", true));
   EXPECT_FALSE(figure.draw(kSize, LiveFigure::Picture::figure, 1)) << "without a canvas";

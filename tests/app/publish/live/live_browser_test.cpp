@@ -209,6 +209,32 @@ TEST_F(LiveInBrowser, KeysTurnPlayAndClose) {
   EXPECT_NE(value_of("getComputedStyle(document.querySelector('figure img')).display"), "none");
 }
 
+// What cannot be turned is not offered to be, and no key changes it unseen.
+TEST_F(LiveInBrowser, ADiagramIsFlat) {
+  std::string lesson = kEditionLesson;
+  const std::string shown = R"(["energy-ellipsoid", "omega"])";
+  lesson.replace(lesson.find(shown), shown.size(), R"(["tensor-bars"])");
+  browser_->open(page("diagram", {"./edition.md", "--live", "--reader"}, lesson));
+  press_first();
+  ASSERT_EQ(state()["in_space"], false);
+  const std::string turns =
+      "[...document.querySelectorAll('.live-panel button')].filter(b => "
+      "/Turn|Nearer|Farther/.test(b.ariaLabel)).length";
+  EXPECT_EQ(value_of(turns), 0);
+  EXPECT_EQ(value_of("document.querySelector('.live-view').ariaLabel"), "Live figure. Space plays.");
+  value_of("document.querySelector('.live-view').focus(), 0");
+  browser_->press("ArrowRight");
+  EXPECT_EQ(state()["changed"], false);
+  browser_->press(" ");
+  EXPECT_EQ(state()["playing"], true);
+  value_of("document.querySelectorAll('.live-press')[1].click(), 0");
+  EXPECT_EQ(browser_->wait_for("document.querySelectorAll('figure')[1].classList.contains('is-live')", true),
+            true);
+  EXPECT_EQ(value_of(turns), 6);
+  EXPECT_THAT(value_of("document.querySelector('.live-view').ariaLabel").get<std::string>(),
+              HasSubstr("Arrow keys turn it"));
+}
+
 TEST_F(LiveInBrowser, ALinkIsAScenario) {
   const fs::path page = reader_page();
   browser_->open(page, "#moves/step.1?t=1.375&omega=0.5,-1.25,2&I=1,2,2.5");
@@ -366,6 +392,9 @@ TEST_F(LiveInBrowser, TheSandboxThrowsComputesAndIsShared) {
   EXPECT_EQ(value_of("[...document.querySelectorAll('.trade tbody tr')].filter(r => "
                      "r.cells[2].textContent === '0°').map(r => r.cells[0].textContent)"),
             Json({"exact"}));
+  EXPECT_EQ(value_of("[...document.querySelectorAll('.trade tbody tr')].filter(r => "
+                     "r.cells[2].textContent === 'breaks down').map(r => r.cells[1].textContent)"),
+            Json({"–"}));
   value_of("document.querySelector('input[value=book]').click(), 0");
   EXPECT_EQ(state()["body"], "book");
   call("'set_playing', 0");
@@ -393,6 +422,31 @@ TEST_F(LiveInBrowser, TheSandboxThrowsComputesAndIsShared) {
   for (const char* name : {"body", "omega0", "moments", "t"}) EXPECT_EQ(opened[name], shared[name]) << name;
   EXPECT_EQ(opened["method"]["step"], shared["method"]["step"]);
   EXPECT_THAT(browser_->complaints(), IsEmpty());
+}
+
+// Who has taken ω by the hand shares the body as it lies then, too.
+TEST_F(LiveInBrowser, ALinkAfterADragOpensThatAttitude) {
+  const fs::path page = sandbox_page();
+  browser_->open(page);
+  wait_for_picture();
+  call("'set_playing', 0");
+  call("'set_time', 0");
+  bring_into_view();
+  ASSERT_GE(state()["tips"].size(), 1U);
+  const Json before = state();
+  const Vec2 tip = on_page(before["tips"][0]["x"], before["tips"][0]["y"]);
+  browser_->drag(tip, tip + Vec2(40, 30));
+  const Json dragged = state();
+  ASSERT_NE(dragged["omega0"], before["omega0"]);
+  ASSERT_FALSE(dragged["attitude0"].is_null());
+  ASSERT_EQ(browser_->wait_for("location.hash.includes('q=')", true), true);
+  const std::string link = value_of("location.hash");
+  browser_->open(page, link);
+  wait_for_picture();
+  const Json opened = state();
+  EXPECT_EQ(opened["omega0"], dragged["omega0"]);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(opened["quaternion"][i].get<double>(), dragged["quaternion"][i].get<double>(), 1e-12) << i;
 }
 
 // npm's axe-core, one script, which is no part of Debian.
