@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kFullest = 0.97;    ///< of a page: computed numbers may be wider than what stands for them
 constexpr double kCostOfPage = 1.0;  ///< beside that of room left over: of half a page 0.25
-// Of a question that is followed by something on its page: most are worth less than a page. A prediction is
-// worth more than any page can cost, even with two that are left empty by the division.
+// Of a question that is followed by something on its page. Most cost less than a page more. For a prediction
+// a page more is always cheaper: it costs at most 1, and 1 for the room that is left on each of the two.
 constexpr double kCostOfQuestion = 0.35, kCostOfPrediction = 3.0;
 
 double cost_of_questions(const Step& step) {

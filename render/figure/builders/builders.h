@@ -23,8 +23,7 @@ inline constexpr double kTrailRadius = 0.011;
 inline constexpr double kOldestOfTrail = 0.4;  ///< of its colour: loops of long ago are to be seen
 inline constexpr double kArrowRadius = 0.021;
 inline constexpr double kTorqueLength = 0.62;  ///< of the arrow of N, scene units
-inline constexpr double kArrowDash =
-    0.045;  ///< of forces and torques, and of others that are told apart by it
+inline constexpr double kArrowDash = 0.045;    ///< of torques, and of others that are told apart by it
 
 /// A scene at one time in one view. "V" is the view's frame: S for the space view, B for the body view.
 struct Snapshot {
