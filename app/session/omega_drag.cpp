@@ -177,8 +177,11 @@ void keep_frame(CameraSpec& camera, const SceneModel& model, const Inset& inset,
     if (std::isfinite(ratio) && std::abs(ratio - 1.0) > kSame) value *= ratio;
   };
   if (const auto near = begun()) change(camera.distance, distance_of(shown) / distance_of(near->camera));
-  if (const auto seen = begun())
-    change(camera.zoom, std::tan(0.5 * seen->camera.fov_y_rad) / std::tan(0.5 * shown.fov_y_rad));
+  // A scene that is zoomed otherwise than those beside it no longer has their scale: the second time allows
+  // for that.
+  for (int i = 0; i < 2; ++i)
+    if (const auto seen = begun())
+      change(camera.zoom, std::tan(0.5 * seen->camera.fov_y_rad) / std::tan(0.5 * shown.fov_y_rad));
 }
 
 /// From where the tip is shown to where it is drawn as the present motion begins anew.

@@ -137,14 +137,6 @@ builders::Extents extents_of_still(const Snapshot& m) {
   return builders::extents_of_drawn(list, still.center_V);
 }
 
-/// Whether only the motion knows where what is drawn can come.
-bool frame_needs_motion(const SceneModel& model) {
-  const Scene& scene = model.scene;
-  return scene.camera.holds_still || drifts(scene) || model.needs.marks || !scene.torque.empty() ||
-         builders::is_computed(scene) || model.drawn.contains(Overlay::puck) ||
-         model.drawn.contains(Overlay::transport) || model.drawn.contains(Overlay::terms);
-}
-
 /// Of a free motion that begins with this ω, as far as its frame needs it.
 struct Beginning {
   SceneModel model;  ///< no motion, no curves
@@ -163,8 +155,9 @@ Beginning beginning_of(const Scene& scene, const Vec3& w0_B) {
 }
 
 builders::Extents held_extents(const Snapshot& m) {
+  if (m.model.framed && !m.turn) return held_extents(builders::snapshot_at(*m.model.framed, 0.0, m.view));
   const std::optional<CameraFit>& fitted = m.model.scene.camera.fitted;
-  if (fitted && fitted->w0_B && !m.turn && !frame_needs_motion(m.model)) {
+  if (fitted && fitted->w0_B && !m.turn && !frame_needs_motion(m.model.scene)) {
     const Beginning then = beginning_of(m.model.scene, *fitted->w0_B);
     return builders::extents_of(builders::snapshot_in(then.model, 0.0, m.view, then.state));
   }
@@ -301,25 +294,32 @@ CameraSpec held_by_hand(const Scene& scene) {
 
 TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
                        const std::optional<AttitudeSpec>& attitude, const std::optional<CameraSpec>& camera)
-    : pane_(pane), aspect_(aspect) {
+    : pane_(pane) {
   trial_.scene = model.scene;
   trial_.scene.camera = camera ? *camera : held_by_hand(model.scene);
-  trial_.scene.at_s = 0.0;
   if (attitude) trial_.scene.attitude = attitude;
   trial_.drawn = drawn_overlays(trial_.scene);
   trial_.needs = requirements(trial_.scene);
-  is_remade_ = frame_needs_motion(trial_);
-  if (!is_remade_ && pane < trial_.scene.views.size()) {
-    const Beginning held = beginning_of(trial_.scene, *trial_.scene.camera.fitted->w0_B);
-    const auto count = static_cast<double>(trial_.scene.views.size());
-    camera_ = camera_for(builders::snapshot_in(held.model, 0.0, trial_.scene.views[pane], held.state),
-                         aspect / count, common_half_height(model, aspect));
+  if (pane >= trial_.scene.views.size()) return;
+  const Vec3& kept_B = *trial_.scene.camera.fitted->w0_B;
+  const bool is_zoomed_alike = trial_.scene.camera.zoom == model.scene.camera.zoom;
+  const double least_half_height = is_zoomed_alike ? common_half_height(model, aspect) : 0.0;
+  const auto frame_of = [&](const Snapshot& held) {
+    return camera_for(held, aspect / static_cast<double>(trial_.scene.views.size()), least_half_height);
+  };
+  if (frame_needs_motion(trial_.scene)) {
+    trial_.scene.w0_B = kept_B;
+    trial_.scene.beside.clear();
+    const SceneModel held = make_model(trial_.scene);
+    camera_ = frame_of(builders::snapshot_at(held, 0.0, trial_.scene.views[pane]));
+  } else {
+    const Beginning held = beginning_of(trial_.scene, kept_B);
+    camera_ = frame_of(builders::snapshot_in(held.model, 0.0, trial_.scene.views[pane], held.state));
   }
 }
 
 std::optional<DrawnOmega> TrialOmega::at(const Vec3& w0_B) {
   trial_.scene.w0_B = w0_B;
-  if (is_remade_) return drawn_omega(make_model(trial_.scene), 0.0, pane_, aspect_);
   const std::vector<View>& views = trial_.scene.views;
   if (!trial_.drawn.contains(Overlay::omega) || pane_ >= views.size() || w0_B.isZero(0.0))
     return std::nullopt;

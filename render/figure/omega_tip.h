@@ -25,9 +25,9 @@ std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::
 CameraSpec held_by_hand(const Scene& scene);
 
 /// Tries ω after ω without making models: what drawn_omega gives for the scene's model at t = 0 with this ω,
-/// the camera held by hand and, if they are given, this attitude and this camera. About 1 µs; a millisecond
-/// where only the motion knows what the frame is: with marks, a torque, a path of the centre of mass, or a
-/// method of steps.
+/// the camera held by hand and, if they are given, this attitude and this camera. About 1 µs each. It is made
+/// at the cost of a model where only the motion knows what the frame is.
+/// @throws std::domain_error as make_model does, there
 class TrialOmega {
  public:
   TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
@@ -37,10 +37,8 @@ class TrialOmega {
 
  private:
   SceneModel trial_;  ///< no motion, no curves
-  Camera camera_;     ///< unless a model is needed
+  Camera camera_;
   std::size_t pane_;
-  double aspect_;
-  bool is_remade_ = false;  ///< a model is needed
 };
 
 }  // namespace polhode

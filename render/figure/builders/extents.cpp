@@ -356,10 +356,6 @@ double letters_of(const std::string& tex) {
   return letters;
 }
 
-bool is_computed(const Scene& scene) {
-  return scene.motion.method && facts_of(*scene.motion.method).control != StepControl::none;
-}
-
 Extent name_beyond(const Vec3& tip, const Vec3& tail, double letters) {
   constexpr double kBeyond = 0.12, kHalfHeight = 0.07, kLetter = 0.05;
   const Vec3 way = tip - tail;

@@ -44,9 +44,6 @@ void add_extents_of_marks(const Snapshot& m, Extents& extents);
 /// The path of the centre of mass with its arrows, or that of the puck; space axes.
 void add_extents_of_translation(const Snapshot& m, Extents& extents);
 
-/// Whether the motion is followed step by step, and may leave the surfaces of its start.
-bool is_computed(const Scene& scene);
-
 /// How far the furthest of them reaches from the centre.
 double reach_of(const Extents& extents);
 

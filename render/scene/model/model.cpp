@@ -155,6 +155,23 @@ void compute_parts(SceneModel& model, const Effort& effort, double chord_toleran
         method_table(problem_of(scene), table_step_s(scene), scene.at_s, effort, scene.compared.methods);
 }
 
+/// Null where the frame is the scene's own; also where no motion can begin with the ω that it is kept from,
+/// which is no reason to refuse the scene.
+std::unique_ptr<const SceneModel> framed_model(const Scene& scene, const Effort& effort,
+                                               double chord_tolerance) {
+  const std::optional<CameraFit>& fitted = scene.camera.fitted;
+  const bool is_kept = fitted && fitted->w0_B && *fitted->w0_B != scene.w0_B && frame_needs_motion(scene);
+  if (!is_kept) return nullptr;
+  Scene before = scene;
+  before.w0_B = *fitted->w0_B;
+  before.beside.clear();
+  try {
+    return std::make_unique<const SceneModel>(make_model(before, ModelFor::figure, effort, chord_tolerance));
+  } catch (const std::domain_error&) {
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene, const Effort& effort) {
@@ -203,6 +220,7 @@ SceneModel make_model(const Scene& scene, ModelFor use, const Effort& effort, do
   if (model.needs.ghost) model.exact = reference_motion(problem, effort);
   compute_parts(model, effort, chord_tolerance);
   if (use == ModelFor::numbers) return model;
+  model.framed = framed_model(scene, effort, chord_tolerance);
   for (const Scene& other : scene.beside) {
     model.beside.push_back(make_model(other, use, effort, chord_tolerance));
     model.reach_s = std::min(model.reach_s, model.beside.back().reach_s);

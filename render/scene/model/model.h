@@ -57,6 +57,9 @@ struct SceneModel {
   MethodTable methods;              ///< at the time of the still, with the scene's step or 64 to a turn
   std::vector<MethodTable> orders;  ///< kOrderSteps of them, each with half the step of the one before
   std::vector<SceneModel> beside;   ///< of the scenes beside it; none if it was made for numbers
+  /// Of the scene as it began with the ω that its camera was fitted for, whose frame is kept. Null: its own
+  /// is, or the beginning alone knows it.
+  std::unique_ptr<const SceneModel> framed;
 };
 
 /// The model and those beside it, in the order in which they stand.

@@ -46,6 +46,17 @@ OverlaySet drawn_overlays(const Scene& scene) {
   return drawn;
 }
 
+bool is_computed(const Scene& scene) {
+  return scene.motion.method && facts_of(*scene.motion.method).control != StepControl::none;
+}
+
+bool frame_needs_motion(const Scene& scene) {
+  const OverlaySet drawn = drawn_overlays(scene);
+  return scene.camera.holds_still || drifts(scene) || requirements(scene).marks || !scene.torque.empty() ||
+         is_computed(scene) || drawn.contains(Overlay::puck) || drawn.contains(Overlay::transport) ||
+         drawn.contains(Overlay::terms);
+}
+
 std::string what_is_unseen(Overlay overlay, const Scene& scene) {
   struct Reason {
     SeenIf lacking;

@@ -21,6 +21,13 @@ OverlaySet drawn_overlays(const Scene& scene);
 /// is.
 std::string what_is_unseen(Overlay overlay, const Scene& scene);
 
+/// Whether the motion is followed step by step, and may leave the surfaces of its start.
+bool is_computed(const Scene& scene);
+
+/// Whether only the motion knows where what is drawn can come: with marks, a torque, a path of the centre of
+/// mass, or a method of steps. Else its beginning does.
+bool frame_needs_motion(const Scene& scene);
+
 /// What a scene is modelled for. A page has plots besides its figure; numbers need the motion, and nothing of
 /// what is drawn.
 enum class ModelFor { numbers, figure, page };

@@ -27,6 +27,8 @@ std::vector<Scene> scenes() {
                                scene_with({O::omega, O::shape, O::L, O::v, O::p}, {View::space})};
   scenes[1].attitude = Quat(0.9, 0.3, -0.2, 0.1).normalized();
   scenes[3].v0_S = Vec3(1, 0, 0.5);
+  scenes.push_back(scenes[0]);  // only its motion knows where it can come
+  scenes.back().motion = {.method = Method::explicit_euler, .step_s = 0.05};
   return scenes;
 }
 
