@@ -7,7 +7,7 @@
 #include "app/narration/still_numbers.h"
 #include "app/page/figure_cells.h"
 #include "app/page/page.h"
-#include "app/page/page_text.h"
+#include "app/page/text/page_text.h"
 
 #include <algorithm>
 #include <deque>
@@ -41,8 +41,9 @@ class PageMaker : public PictureMaker {
       if (const std::string plots = speech_.words_of_plots(scene); !plots.empty())
         description.alt += " Plotted: " + plots;
     }
-    if (has_answers(request))
-      description.alt += ' ' + speech_.words_of_line(short_answers(request.lesson, request.stage)) + '.';
+    const int first = request.before ? request.step - static_cast<int>(request.before->size()) : request.step;
+    if (const std::string answers = answers_at_foot(request, first); !answers.empty())
+      description.alt += ' ' + speech_.words_of_line(answers) + '.';
     if (!shown.model) return description;
     description.t_s = shown.t_s;
     description.method = shown.model->motion->method();

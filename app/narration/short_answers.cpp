@@ -2,6 +2,7 @@
 #include "app/narration/short_answers.h"
 
 #include "base/ascii.h"
+#include "base/numbers.h"
 #include "lessons/claims/answers/number_answer.h"
 #include "lessons/claims/expressions/expression_tex.h"
 #include "lessons/reader/questions/state_task.h"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <variant>
 
 namespace polhode {
 
@@ -26,6 +28,28 @@ bool is_read_at_a_glance(std::string_view state) {
   return !state.empty() && state.size() <= kMostCharacters;
 }
 
+std::string vector_tex(const Vec3& v) {
+  constexpr int kDigits = 6;  // more than a state has that is told
+  return fmt::format("({},\\,{},\\,{})", digits(v.x(), kDigits), digits(v.y(), kDigits),
+                     digits(v.z(), kDigits));
+}
+
+/// Empty: it would be no answer that one reads.
+std::string state_in_short(const SteeredState& state) {
+  if (state.attitude || !is_read_at_a_glance(text_of(state))) return {};
+  std::string text;
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (state.w0_B) add("$\\vec\\omega = " + vector_tex(*state.w0_B) + "$ rad/s");
+  if (state.moments) add("$(I_1,\\,I_2,\\,I_3) = " + vector_tex(*state.moments) + "$ kg m²");
+  if (state.torque) {
+    const bool is_of_space = std::holds_alternative<SpaceTorque>(*state.torque);
+    add("$\\vec N = " + vector_tex(components_of(*state.torque)) + "$ N m in " +
+        (is_of_space ? "$S$" : "$S^*$"));
+  }
+  if (state.t_s) add("$t = " + digits(*state.t_s, 6) + "$ s");
+  return text;
+}
+
 std::string answer_in_short(const Lesson& lesson, const Ask& ask) {
   if (ask.type == Ask::Type::derive) return {};
   if (ask.expression) return '$' + tex_of(*ask.expression, &lesson.notation.vocabulary) + '$';
@@ -35,8 +59,8 @@ std::string answer_in_short(const Lesson& lesson, const Ask& ask) {
     return words.ends_with(kDegrees) ? words.substr(0, words.size() - kDegrees.size()) + "°" : words;
   }
   if (ask.task) {
-    const std::string state = text_of(ask.task->solution);
-    return is_read_at_a_glance(state) ? "for example " + state : "";
+    const std::string state = state_in_short(ask.task->solution);
+    return state.empty() ? state : "for example " + state;
   }
   std::string letters;
   for (const int answer : ask.answers) {
@@ -53,7 +77,7 @@ std::string short_answers(const Lesson& lesson, const Stage& stage) {
   for (std::size_t i = 0; i < stage.steps.size(); ++i)
     for (const Ask* ask : blocks_of<Ask>(stage.steps[i]))
       if (const std::string answer = answer_in_short(lesson, *ask); !answer.empty())
-        line += fmt::format("{}step {}, {}", line.empty() ? "Answers: " : "; ", i + 1, answer);
+        line += fmt::format("{}step {}, {}", line.empty() ? "" : "; ", i + 1, answer);
   return line;
 }
 

@@ -3,8 +3,8 @@
 
 #include "app/page/figure_cells.h"
 #include "app/page/figure_place.h"
-#include "app/page/page_text.h"
 #include "app/page/page_transition.h"
+#include "app/page/text/page_text.h"
 #include "render/drawing/fade.h"
 #include "render/drawing/plots/meter_plots.h"
 #include "render/typeset/paragraph.h"
@@ -17,6 +17,13 @@
 #include <iterator>
 
 namespace polhode {
+
+const FiguredStep* figured(const PageRequest& request, int step) {
+  if (!request.before) return nullptr;
+  const auto found = std::find_if(request.before->begin(), request.before->end(),
+                                  [&](const FiguredStep& one) { return one.step == step; });
+  return found != request.before->end() ? &*found : nullptr;
+}
 
 namespace {
 

@@ -108,6 +108,9 @@ struct PageRequest {
   Effort effort{};
 };
 
+/// An earlier step that stands on a page to read as the present one does; null: not on this page.
+const FiguredStep* figured(const PageRequest& request, int step);
+
 struct Page {
   Sheet sheet;
   std::vector<Inset> insets;  ///< under the sheet

@@ -4,7 +4,7 @@
 #include "app/narration/still_numbers.h"
 #include "app/page/page.h"
 #include "app/page/page_division.h"
-#include "app/page/page_text.h"
+#include "app/page/text/page_text.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "render/drawing/plots/meter_plots.h"
 

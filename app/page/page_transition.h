@@ -2,7 +2,7 @@
 // The text column between two pages: one step of a derivation becomes the next before the reader's eyes.
 #pragma once
 
-#include "app/page/page_text.h"
+#include "app/page/text/page_text.h"
 
 namespace polhode {
 

@@ -5,7 +5,7 @@
 
 #include "app/narration/speech_text.h"
 #include "app/page/page.h"
-#include "app/page/page_text.h"
+#include "app/page/text/page_text.h"
 #include "app/session/accuracy_meter.h"
 #include "app/session/figure_hand.h"
 #include "app/session/lesson_session.h"

@@ -5,7 +5,7 @@
 
 #include "app/narration/still_numbers.h"
 #include "app/page/page.h"
-#include "app/page/page_text.h"
+#include "app/page/text/page_text.h"
 #include "app/session/lesson_session.h"
 #include "app/session/page_symbols.h"
 #include "render/gl/framebuffer.h"

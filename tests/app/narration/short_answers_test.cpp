@@ -34,7 +34,23 @@ TEST(ShortAnswers, NameTheStepAndTheAnswerOfEachQuestion) {
   const Lesson lesson = lesson_of(std::string("Words.\n\n---\n\n") + kChoice + "\n---\n\nMore.\n" + kNumber +
                                   "\n---\n\n" + kExpression);
   EXPECT_EQ(short_answers(lesson, lesson.stages[0]),
-            "Answers: step 2, B; step 3, 12.5 J; step 4, $\\vec\\omega\\cdot \\vec L$");
+            "step 2, B; step 3, 12.5 J; step 4, $\\vec\\omega\\cdot \\vec L$");
+}
+
+TEST(ShortAnswers, TellAStateAsAFormula) {
+  const auto state = [](const std::string& solution) {
+    return "```ask s\ntype = \"state\"\nprompt = \"Make it faster.\"\ngoals = [{ of = \"T\", at_least = 2, "
+           "unit = \"J\" }]\nchange = [\"omega\", \"attitude\"]\nsolution = { " +
+           solution + " }\nbecause = \"So.\"\n```\n";
+  };
+  const std::string words = "Words.\n\n```scene\nshow = [\"omega\"]\n```\n\n";
+  const Lesson few = lesson_of(words + state("omega = [0.9, -1.25, 2]"));
+  EXPECT_EQ(short_answers(few, few.stages[0]),
+            "step 1, for example $\\vec\\omega = (0.9,\\,-1.25,\\,2)$ rad/s");
+  const Lesson many = lesson_of(words + state("omega = [0.9123456, 0, 2]"));
+  EXPECT_EQ(short_answers(many, many.stages[0]), "") << "nobody reads seven digits";
+  const Lesson turned = lesson_of(words + state("omega = [0, 0, 2], attitude = [0, 1, 0, 0]"));
+  EXPECT_EQ(short_answers(turned, turned.stages[0]), "");
 }
 
 TEST(ShortAnswers, AreNoneWhereNothingIsAsked) {

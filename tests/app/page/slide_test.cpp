@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pages of the profile slides: the step alone, large, of one size throughout its stage.
 #include "app/page/page.h"
-#include "app/page/page_text.h"
+#include "app/page/text/page_text.h"
 #include "app/page/page_theme.h"
 #include "lessons/reader/checks/claim_check.h"
 #include "lessons/reader/reader.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/page/symbol_glossary.h"
+#include "app/page/text/symbol_glossary.h"
 
 #include "lessons/claims/expressions/vocabulary.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/page/text_column.h"
+#include "app/page/text/text_column.h"
 
 #include "base/ascii.h"
 #include "lessons/reader/markdown/footnotes.h"
@@ -111,25 +111,6 @@ std::vector<std::string> terms_of(std::string_view tex) {
   // A formula between dollars does not end with a blank.
   for (std::string& term : terms) term.erase(term.find_last_not_of(' ') + 1);
   return terms;
-}
-
-/// What is added with the time, moved by `at`, to a piece or a stack.
-template <class Into>
-void add_slots(Into& into, const ColumnPiece& part, const Vec2& at) {
-  for (LiveSlot slot : part.live) {
-    slot.end += at;
-    into.live.push_back(std::move(slot));
-  }
-  for (LiveNumberSlot slot : part.numbers) {
-    slot.room.at += at;
-    into.numbers.push_back(slot);
-  }
-}
-
-/// Drawing and slots of `part` over those of `piece`.
-void add(ColumnPiece& piece, ColumnPiece part, const Vec2& at) {
-  add_slots(piece, part, at);
-  append(piece.sheet, std::move(part.sheet), at);
 }
 
 /// An equation lower by so much in a place that is higher by so much.
@@ -728,37 +709,5 @@ Result<ColumnPiece> TextColumn::derived_line(const Math& formula, const std::str
 }
 
 double TextColumn::small_size(double part) const { return std::max(part * size_, std::min(least_, size_)); }
-
-Stack stack(const std::vector<const ColumnPiece*>& pieces) {
-  Stack made;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (i > 0) made.height += std::round(std::max(pieces[i - 1]->gap, pieces[i]->gap));
-    const ColumnPiece& piece = *pieces[i];
-    made.pieces.push_back({.sheet = {},
-                           .height = piece.height,
-                           .gap = piece.gap,
-                           .formula_scale = piece.formula_scale,
-                           .of = piece.of,
-                           .formula = piece.formula,
-                           .is_main = piece.is_main,
-                           .is_new = piece.is_new,
-                           .step = piece.step,
-                           .panel = piece.panel});
-    for (QuestionRows rows : piece.questions) {
-      for (double& y : rows.y) y += made.height;
-      made.pieces.back().questions.push_back(std::move(rows));
-    }
-    add(made.pieces.back(), piece, {0, made.height});
-    made.height += piece.height;
-  }
-  return made;
-}
-
-double height_of(const std::vector<const ColumnPiece*>& pieces) {
-  double height = 0.0;
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    height += pieces[i]->height + (i > 0 ? std::round(std::max(pieces[i - 1]->gap, pieces[i]->gap)) : 0.0);
-  return height;
-}
 
 }  // namespace polhode

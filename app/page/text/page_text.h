@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/page/page.h"
-#include "app/page/text_column.h"
+#include "app/page/text/text_column.h"
 
 namespace polhode {
 
@@ -40,9 +40,10 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
 Result<std::vector<double>> heights_of_pages(const PageRequest& request, double width, double height,
                                              double em, const Fonts& fonts);
 
-/// Whether the answers to the stage's questions stand at the foot: of a page to read with the last step,
-/// where nobody else tells them.
-bool has_answers(const PageRequest& request);
+/// The answers that stand at the foot of a page to read whose first step is `first`, where nobody else tells
+/// them: on the first page of a stage those to the stage before, so that they are not seen beside their
+/// questions, and on the last page of the lesson its own. As set_lines has them; empty: none.
+std::string answers_at_foot(const PageRequest& request, int first);
 
 /// Moves the column of a page that scrolls.
 void scroll_to(FittedText& text, double hidden);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/page/page_text.h"
+#include "app/page/text/page_text.h"
 
 #include "app/narration/short_answers.h"
-#include "app/narration/still_numbers.h"
-#include "app/page/symbol_glossary.h"
+#include "app/page/text/page_numbers.h"
+#include "app/page/text/page_verdicts.h"
+#include "app/page/text/recalled_equations.h"
+#include "app/page/text/symbol_glossary.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "render/scene/model/scene_problem.h"
 
@@ -27,49 +29,7 @@ constexpr double kLeastOfAll = 0.3;  // smaller type nobody reads; of what is no
 constexpr double kSmaller = 0.94;
 constexpr double kTallestBefore = 2.6;         // em: of what a slide recalls in a line
 constexpr std::size_t kMostRecalled = 6;       // equations of earlier steps on a page
-constexpr int kAskedFor = 100;                 // the weight of what a step says that it goes on from
 constexpr std::size_t kMostOfPagesBefore = 3;  // the same where those steps have pages of their own
-
-/// Whether a claim, on whatever step of the stage, says of an equation that it is wrong, or does not follow.
-bool is_refuted(const Stage& stage, const Equation& equation) {
-  const auto says_so = [&](const Block& block) {
-    const auto* claim = std::get_if<Claim>(&block);
-    return claim && claim->equation == equation.id && refutes(claim->kind);
-  };
-  return std::any_of(stage.steps.begin(), stage.steps.end(), [&](const Step& step) {
-    return std::any_of(step.blocks.begin(), step.blocks.end(), says_so);
-  });
-}
-
-/// The equation the accent bar stands beside: of those of the present step that hold the first with a number,
-/// else the first.
-const Equation* focus_of(const Stage& stage, const Step& step) {
-  const Equation* focus = nullptr;
-  for (const Equation* equation : blocks_of<Equation>(step)) {
-    if (is_refuted(stage, *equation)) continue;
-    if (!equation->tag.empty()) return equation;
-    if (!focus) focus = equation;
-  }
-  return focus;
-}
-
-/// How much of a result a display is: one with a number, one that something is said of, or neither.
-int weight_of(const Step& step, const Equation& equation) {
-  if (!equation.tag.empty()) return 2;
-  const auto claims = blocks_of<Claim>(step);
-  return std::any_of(claims.begin(), claims.end(),
-                     [&](const Claim* claim) { return claim->equation == equation.id; })
-             ? 1
-             : 0;
-}
-
-/// Whether a display stands as the one in focus does: of two equations of one weight none is less than the
-/// other.
-bool is_in_focus(const Stage& stage, const Step& step, const Equation& equation) {
-  const Equation* focus = focus_of(stage, step);
-  return focus != nullptr && !is_refuted(stage, equation) &&
-         weight_of(step, equation) == weight_of(step, *focus);
-}
 
 using Pieces = std::vector<ColumnPiece>;
 using PieceRefs = std::vector<const ColumnPiece*>;
@@ -84,39 +44,6 @@ bool has_equation(const Step& step, const std::string& id) {
                      [&](const Equation* equation) { return equation->id == id; });
 }
 
-/// An earlier step that stands on a page to read as the present one does; null: not on this page.
-const FiguredStep* figured(const PageRequest& request, int step) {
-  if (!request.before) return nullptr;
-  const auto found = std::find_if(request.before->begin(), request.before->end(),
-                                  [&](const FiguredStep& one) { return one.step == step; });
-  return found != request.before->end() ? &*found : nullptr;
-}
-
-/// On the claims of the stage up to the page's step: the same at every size of type.
-using Verdicts = std::map<const Claim*, VerdictRow>;
-
-Verdicts verdicts_of(const PageRequest& request) {
-  Verdicts verdicts;
-  for (int i = 0; i < request.step; ++i) {
-    const Step& step = request.stage.steps[static_cast<std::size_t>(i)];
-    const FiguredStep* before = figured(request, i + 1);
-    const SceneModel* model = i + 1 == request.step ? request.model : before ? before->model : nullptr;
-    for (const Block& block : step.blocks)
-      if (const auto* claim = std::get_if<Claim>(&block))
-        verdicts.emplace(claim, verdict_row(*claim, step.scene ? &*step.scene : nullptr, model));
-  }
-  return verdicts;
-}
-
-/// A title without emphasis, its formulas between dollars, as set_line has it.
-std::string in_a_line(const RichText& title) {
-  std::string line;
-  for_each_span(title, [&](const TextSpan& span) {
-    line += span.kind == TextSpan::Kind::math ? '$' + span.text + '$' : span.text;
-  });
-  return line;
-}
-
 /// What the scenes of a step highlight.
 std::vector<std::string> marked_by(const Step& step) {
   std::vector<std::string> marked;
@@ -125,65 +52,6 @@ std::vector<std::string> marked_by(const Step& step) {
     marked.insert(marked.end(), scene->highlight.begin(), scene->highlight.end());
   return marked;
 }
-
-/// The numbers of all steps up to the page's. Those of earlier steps whose motion the page's step has
-/// replaced by another are as they are on the stills of their own: what the formula says of one motion does
-/// not turn into a number of the other.
-PageNumbers numbers_of(const PageRequest& request, const Fonts& fonts) {
-  const Lesson& lesson = request.lesson;
-  PageNumbers shown(lesson, fonts);
-  StillNumbers own;
-  StillNumbers& stills = request.still_numbers ? *request.still_numbers : own;
-  const std::vector<Step>& steps = request.stage.steps;
-  const Step& present = steps[static_cast<std::size_t>(request.step - 1)];
-  std::vector<int> now;  // those of the page's motion
-  for (int i = 0; i < request.step; ++i) {
-    const Step& step = steps[static_cast<std::size_t>(i)];
-    std::vector<int> ids = numbers_in(step);
-    // Those of tables are of motions of their own.
-    const auto in_table = std::partition(ids.begin(), ids.end(), [&](int id) {
-      return lesson.numbers[static_cast<std::size_t>(id)].row == nullptr;
-    });
-    const auto keep = [&](auto first, auto last) {
-      if (first == last) return;
-      const StillNumbers::Values& values = stills.of(lesson, step);
-      for (; first != last; ++first) {
-        const auto value = values.find(*first);
-        shown.keep(*first, value != values.end() ? std::optional(value->second) : std::nullopt);
-      }
-    };
-    keep(in_table, ids.end());
-    ids.erase(in_table, ids.end());
-    if (request.before) {
-      const FiguredStep* one = figured(request, i + 1);
-      const SceneModel* model = one ? one->model : i + 1 == request.step ? request.model : nullptr;
-      const auto live = model ? live_state(*model, one ? one->t_s : request.t_s) : std::nullopt;
-      for (const int id : ids)
-        if (live) shown.keep(id, value_of(lesson.numbers[static_cast<std::size_t>(id)], *live));
-      if (!model) keep(ids.begin(), ids.end());
-      continue;
-    }
-    const bool is_of_page =
-        i + 1 == request.step || !step.scene || !present.scene || same_motion(*step.scene, *present.scene);
-    if (is_of_page) now.insert(now.end(), ids.begin(), ids.end());
-    if (!is_of_page) keep(ids.begin(), ids.end());
-  }
-  if (now.empty() || !request.model) return shown;
-  if (request.runs)
-    for (const auto& [id, values] : values_over(*request.model, lesson, now)) shown.run(id, values);
-  const auto live = request.runs ? std::nullopt : live_state(*request.model, request.t_s);
-  for (const int id : now)
-    if (live) shown.keep(id, value_of(lesson.numbers[static_cast<std::size_t>(id)], *live));
-  return shown;
-}
-
-/// An equation of an earlier step, without its text.
-struct Recalled {
-  const Equation* equation = nullptr;
-  const Step* of = nullptr;
-  std::size_t step = 0;  ///< its number in the page's stage; 0: it is of another stage
-  int weight = 0;        ///< of two that have no room together the heavier stays
-};
 
 /// What of the earlier steps a page shows: all steps from `whole_from`, and equations of those before.
 struct Selection {
@@ -241,12 +109,12 @@ class ScaledText {
     const ColumnPiece foot = from_before(height - own_height);
     if (!status_) return failure(status_.error());
     const double room = foot.height > 0.0 ? std::floor(height - foot.height - foot.gap) : height;
-    const bool is_asked_for = !present().from.empty() && recalled() != nullptr;
+    const bool is_asked_for = !present().from.empty() && recalled_on_slide(request_) != nullptr;
     if (own_height > room || (has_to_recall && is_asked_for && foot.height == 0.0))
       return std::optional<FittedText>();
     FittedText text{stack(refs), scale_, formula_scale(own), equations_in(own), request_.step, {0, 0}};
     if (foot.height > 0.0) {
-      text.recalled = recalled();
+      text.recalled = recalled_on_slide(request_);
       ColumnPiece placed = foot;
       placed.sheet = {};
       append(placed.sheet, foot.sheet, {0, std::floor(height - foot.height)});
@@ -286,6 +154,14 @@ class ScaledText {
   }
 
   Stack stacked(const Selection& shown) { return stack(pieces(shown)); }
+
+  /// A text that leaves much of the column's height free stands in the middle of it, below the header: as the
+  /// first lines of a chapter do, and not over an empty half.
+  void sink_if_short(const Selection& shown, double height) {
+    constexpr double kShort = 0.68;  // of the height: it would end above 0.63 of that of the page
+    const double own = height_of(pieces(shown));
+    if (own < kShort * height) heading_.front().gap += std::round(0.5 * (height - own));
+  }
 
   /// Where in the stack each step begins that stands there whole.
   std::vector<double> step_tops(const Selection& shown) {
@@ -348,16 +224,8 @@ class ScaledText {
   /// latest: more than some are read by nobody.
   Selection recalling(std::size_t whole_from, double height) {
     Selection shown{whole_from};
-    const std::vector<const Equation*> asked_for = gone_on_from(whole_from);
-    std::vector<Recalled> wanted = of_other_stages(asked_for);
-    for (std::size_t i = 0; i < whole_from; ++i)
-      for (const Equation* equation : blocks_of<Equation>(request_.stage.steps[i])) {
-        const bool is_asked_for = std::find(asked_for.begin(), asked_for.end(), equation) != asked_for.end();
-        if (is_repeated(request_.stage, *equation))
-          wanted.push_back({equation, &request_.stage.steps[i], i + 1,
-                            is_asked_for ? kAskedFor : recall_weight(*equation, i)});
-      }
-    const std::vector<Recalled> all = wanted;
+    const std::vector<Recalled> all = recallable(request_, whole_from);
+    std::vector<Recalled> wanted = all;
     std::stable_sort(wanted.begin(), wanted.end(), [](const Recalled& a, const Recalled& b) {
       return std::pair(a.weight, a.step) > std::pair(b.weight, b.step);
     });
@@ -380,34 +248,6 @@ class ScaledText {
     }
     shown.left_out = all.size() - shown.recalled.size();
     return shown;
-  }
-
-  /// What the steps that stand on a page to read say that they go on from.
-  std::vector<const Equation*> gone_on_from(std::size_t whole_from) const {
-    std::vector<const Equation*> equations;
-    for (std::size_t i = whole_from; request_.before && i <= last_; ++i) {
-      const std::string& from = request_.stage.steps[i].from;
-      if (!from.empty() && from != kRecallsNothing) equations.push_back(find_equation(request_.lesson, from));
-    }
-    return equations;
-  }
-
-  std::vector<Recalled> of_other_stages(const std::vector<const Equation*>& equations) const {
-    std::vector<Recalled> found;
-    for (const Stage& stage : request_.lesson.stages)
-      for (const Step& step : stage.steps)
-        for (const Equation* equation : blocks_of<Equation>(step))
-          if (&stage != &request_.stage && is_repeated(stage, *equation) &&
-              std::find(equations.begin(), equations.end(), equation) != equations.end())
-            found.push_back({equation, &step, 0, kAskedFor});
-    return found;
-  }
-
-  /// A number before what a step has come to, that before what is claimed, that before the rest.
-  int recall_weight(const Equation& equation, std::size_t i) const {
-    const Step& step = request_.stage.steps[i];
-    const int weight = weight_of(step, equation);
-    return 2 * weight + (weight > 0 && &equation == focus_of(request_.stage, step) ? 1 : 0);
   }
 
   /// The smallest index below `end` from which on `pieces_from` fits; steps are tried from
@@ -433,7 +273,8 @@ class ScaledText {
     if (const ColumnPiece* words = symbols_in_words(all, from)) all.push_back(words);
     for (std::size_t i = from; i <= last_; ++i) add(all, whole(i, from).notes);
     add_references(all);
-    if (const ColumnPiece* answers = answers_of_stage()) all.push_back(answers);
+    const std::string answers = answers_at_foot(request_, static_cast<int>(from) + 1);
+    if (!answers.empty()) all.push_back(&small_lines(answers));
     if (all.size() > body) all.insert(all.begin() + static_cast<std::ptrdiff_t>(body), &footnote_rule_);
     return all;
   }
@@ -442,20 +283,10 @@ class ScaledText {
   /// What is read without anybody to ask, and nothing to point at.
   bool is_for_readers() const { return !is_slide() && !request_.scrolls; }
 
-  /// What the step says that it goes on from, or the last equation that an earlier one has come to.
-  const Equation* recalled() const {
-    if (present().from == kRecallsNothing) return nullptr;
-    if (!present().from.empty()) return find_equation(request_.lesson, present().from);
-    for (std::size_t i = last_; i-- > 0;)
-      if (const Equation* equation = focus_of(request_.stage, request_.stage.steps[i]))
-        if (is_repeated(request_.stage, *equation)) return equation;
-    return nullptr;
-  }
-
   /// In a line, which the step's own text makes room for; or, if none holds it, below its words, where that
   /// much is left.
   ColumnPiece from_before(double left) {
-    const Equation* equation = recalled();
+    const Equation* equation = recalled_on_slide(request_);
     if (equation == nullptr) return {};
     ColumnPiece line = noted(column_.from_before(*equation, false));
     line.of = equation;
@@ -547,11 +378,6 @@ class ScaledText {
     const std::string line =
         parts_.glossary->explained(names, {static_cast<std::size_t>(request_.number - 1), whole_from});
     return line.empty() ? nullptr : &small_lines(line);
-  }
-
-  /// Null: they do not stand here.
-  const ColumnPiece* answers_of_stage() {
-    return has_answers(request_) ? &small_lines(short_answers(request_.lesson, request_.stage)) : nullptr;
   }
 
   /// Words at the foot.
@@ -655,38 +481,6 @@ class ScaledText {
     return pieces;
   }
 
-  /// Whether a claim is not the formula that it stands at, and holds: on a slide its badge would seem to be
-  /// of the formula.
-  static bool is_beside(const Claim& claim, const VerdictRow& row) {
-    const Certainty certainty = row.certainty;
-    const bool holds = certainty == Certainty::proved || certainty == Certainty::stated;
-    return claim.origin == Claim::Origin::beside && holds;
-  }
-
-  /// The title of its step, the kind of the first claim on it, and what that is given: without that a
-  /// recalled one would seem to hold always.
-  EarlierLabel label_of_earlier(const Equation& equation, const Step& step) const {
-    EarlierLabel label;
-    label.title = in_a_line(step.title);
-    for (const Block& block : step.blocks) {
-      const auto* claim = std::get_if<Claim>(&block);
-      if (!claim || claim->equation != equation.id) continue;
-      const auto known = parts_.verdicts.find(claim);  // of another stage none is
-      const VerdictRow row =
-          known != parts_.verdicts.end() ? known->second : verdict_row(*claim, step.scene.get(), nullptr);
-      if (is_beside(*claim, row)) continue;  // its word would seem to be of the formula
-      label.in_short = row.word + (claim->given.empty() ? "" : ", under an assumption");
-      const bool is_of_what_holds = row.certainty == Certainty::proved && !row.note.empty();
-      label.word = is_of_what_holds ? row.word : label.in_short;
-      // The page shows another motion by now.
-      if (claim->kind == ClaimKind::measured && row.certainty == Certainty::stated)
-        label.word = label.in_short = "checked on a motion";
-      if (is_of_what_holds) label.note = row.note;
-      return label;
-    }
-    return label;
-  }
-
   /// Numbers of both sides are for a window, where they follow the motion: neither from the back row nor on
   /// paper do they tell what the badge does not. A slide has no room either for what is claimed beside a
   /// formula; that it is not the formula itself the slide says. On a page to read a counterexample stands if
@@ -723,19 +517,13 @@ class ScaledText {
     spend(request_.effort, kGlyphEvaluations * static_cast<std::int64_t>(glyphs));
   }
 
-  /// Whether a formula stands on the pages of later steps, without its text. What is wrong would seem to be
-  /// right there, and numbers of one motion to be those of the next.
-  static bool is_repeated(const Stage& stage, const Equation& equation) {
-    return !is_refuted(stage, equation) && numbers_in(equation).empty();
-  }
-
   /// The first of its step on the page has the step's title; what is given is not said twice in a row.
   const ColumnPiece& earlier(const Recalled& recalled, const Recalled* above) {
     const Step& step = *recalled.of;
-    EarlierLabel label = label_of_earlier(*recalled.equation, step);
+    EarlierLabel label = label_of_earlier(parts_.verdicts, *recalled.equation, step);
     if (above && above->of == recalled.of) label.title.clear();
     if (above && !label.note.empty()) {
-      const EarlierLabel last = label_of_earlier(*above->equation, *above->of);
+      const EarlierLabel last = label_of_earlier(parts_.verdicts, *above->equation, *above->of);
       if (last.note == label.note) label.note = "under the same conditions";
     }
     const auto [made, is_new] = earlier_.try_emplace({recalled.equation, label.title + label.note});
@@ -780,7 +568,8 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
                             const Fonts& fonts) {
   const TextParts parts = parts_of(request, fonts);
   const auto text_at = [&](double scale) { return ScaledText(request, parts, width, em, scale, fonts); };
-  const auto fitted = [&request](ScaledText& text, const Selection& shown) {
+  const auto fitted = [&request, height](ScaledText& text, const Selection& shown) {
+    if (request.before && stands_side_by_side(request.size)) text.sink_if_short(shown, height);
     return FittedText{text.stacked(shown),
                       text.scale(),
                       text.formula_scale(shown),
@@ -823,9 +612,18 @@ Result<std::vector<double>> heights_of_pages(const PageRequest& request, double 
   return ScaledText(request, parts, width, em, 1.0, fonts).heights_back(height);
 }
 
-bool has_answers(const PageRequest& request) {
-  return request.before && request.step == std::ssize(request.stage.steps) &&
-         !short_answers(request.lesson, request.stage).empty();
+std::string answers_at_foot(const PageRequest& request, int first) {
+  if (!request.before) return {};
+  const std::vector<Stage>& stages = request.lesson.stages;
+  std::string lines;
+  const auto add = [&](const Stage& stage, std::size_t number) {
+    if (const std::string answers = short_answers(request.lesson, stage); !answers.empty())
+      lines += fmt::format("{}Answers to stage {}: {}", lines.empty() ? "" : ". ", number, answers);
+  };
+  const auto number = static_cast<std::size_t>(request.number);
+  if (first == 1 && number > 1) add(stages[number - 2], number - 1);
+  if (number == stages.size() && request.step == std::ssize(request.stage.steps)) add(request.stage, number);
+  return lines;
 }
 
 void scroll_to(FittedText& text, double hidden) {

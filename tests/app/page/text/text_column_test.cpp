@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/page/text_column.h"
+#include "app/page/text/text_column.h"
 
 #include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/page/sheet_checks.h"

@@ -3,7 +3,7 @@
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
 #include "app/page/page.h"
-#include "app/page/page_text.h"
+#include "app/page/text/page_text.h"
 #include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/page/sheet_checks.h"
 #include "tests/support/paths.h"
