@@ -22,8 +22,9 @@ namespace polhode {
 
 namespace {
 
-constexpr double kHeaderSize = 0.62;  // em of prose
-constexpr double kAboveStep = 1.5;    // em: what is seen above a step that is read from its beginning
+constexpr double kHeaderSize = 0.62;        // em of prose
+constexpr double kSmallestOfSlides = 0.62;  // likewise: 1.3 % of the height is its x-height
+constexpr double kAboveStep = 1.5;          // em: what is seen above a step that is read from its beginning
 constexpr double kHeaderToTitle = 0.9;
 constexpr double kLeastOfAll = 0.3;  // smaller type nobody reads; of what is normal for the page
 constexpr double kSmaller = 0.94;
@@ -62,6 +63,13 @@ struct Selection {
   std::size_t rank() const { return whole_from + left_out; }
 };
 
+/// px, of the type of badges, names and footnotes: on a slide it is not set smaller where the rest is, for it
+/// would not be read from the back row.
+double least_small_type(const PageRequest& request, double em) {
+  if (request.profile == Profile::slides) return kSmallestOfSlides * em;
+  return request.scrolls ? kLeastSmall : 0.0;
+}
+
 /// What the text of a page is made of at every size of type.
 struct TextParts {
   std::vector<MathSymbol> symbols;
@@ -91,7 +99,7 @@ class ScaledText {
         em_(em),
         scale_(scale),
         column_(width, scale * em, request.theme, request.profile, parts.symbols, parts.numbers, fonts,
-                request.scrolls ? kLeastSmall : 0.0),
+                least_small_type(request, em)),
         last_(static_cast<std::size_t>(request.step - 1)),
         heading_{header(), title()},
         footnote_rule_(column_.footnote_rule()) {

@@ -657,7 +657,7 @@ Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
   if (ask.type == Ask::Type::derive) plain.clearance = kFormulaClearance;
   Result<ColumnPiece> piece =
       labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
-  if (!piece || least_ == 0) return piece;
+  if (!piece || least_ == 0 || profile_ == Profile::slides) return piece;
   QuestionRows rows{&ask, label_indent(), width_, {}};
   if (!picks_choice(ask.type)) rows.y.push_back(0);
   RichText above = without_goals(ask);

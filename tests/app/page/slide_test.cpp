@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Pages of the profile slides: the step alone, large, of one size throughout its stage.
 #include "app/page/page.h"
-#include "app/page/text/page_text.h"
 #include "app/page/page_theme.h"
+#include "app/page/text/page_text.h"
 #include "lessons/reader/checks/claim_check.h"
 #include "lessons/reader/reader.h"
 #include "tests/app/page/sheet_checks.h"
@@ -141,6 +141,24 @@ TEST(Slide, TypeIsLargeEnoughToProject) {
     EXPECT_GE(em * kSerifXHeight, 0.018 * side) << size.width;
     EXPECT_GE(kSmallest * em * kSansXHeight, 0.013 * side) << size.width;
   }
+}
+
+// 2026-11-27: badges and names shrank with the text of a full slide, to 1.2 % of its height.
+TEST(Slide, SmallTypeIsNotSmallerWhereThereIsMuchText) {
+  std::string words;
+  for (int i = 0; i < 9; ++i)
+    words += "There is more to be said of this than has room in type of the usual size. ";
+  const Page page = Slides("# S {s}\n```scene\nshow = [\"omega\"]\n```\n" + words +
+                           "\n\n```math a identity\n2T = 2T + 0\n```\n")
+                        .page(1);
+  ASSERT_LT(page.scale, 1.0);
+  double smallest = 1e9;
+  for (const PlacedType& text : page.sheet.texts) {
+    double size = 0;
+    for (const auto& glyph : text.list.glyphs) size = std::max<double>(size, glyph.size);
+    if (size > 0) smallest = std::min(smallest, size);
+  }
+  EXPECT_GE(smallest * kSansXHeight, 0.013 * kSlides[0].height);
 }
 
 TEST(Slide, AFigureHasMostOfItWhereTextIsShort) {
