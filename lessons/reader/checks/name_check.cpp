@@ -30,7 +30,7 @@ class NameCheck {
       : lesson_(lesson), place_(place), report_(report) {
     const double still_s = still_time_s(model.scene);
     for (const double t_s : {still_s, 0.37 * model.span_s, 0.81 * model.span_s})
-      if (auto live = live_state(model, t_s)) states_.push_back(std::move(*live));
+      if (const auto live = live_state(model, t_s)) states_.push_back(*live);
   }
 
   void check_curve(const SceneQuantity& curve, const std::string& tex) {
