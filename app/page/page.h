@@ -8,6 +8,7 @@
 #include "app/narration/verdict_row.h"
 #include "app/page/page_theme.h"
 #include "render/drawing/label_layout.h"
+#include "render/drawing/plots/time_plot.h"
 #include "render/gl/renderer.h"
 #include "render/scene/model/model.h"
 
@@ -136,7 +137,8 @@ struct Page {
   double hidden = 0, overflow = 0;
   /// Where text and meters stand; bars and panels of the column reach one em further to each side.
   PixelBox column, meters;
-  PixelBox figure;  ///< of the space figure, and of diagrams with it; empty: none
+  std::vector<PlotReading> plots{};  ///< of a page that scrolls: those that a hand can read
+  PixelBox figure;                   ///< of the space figure, and of diagrams with it; empty: none
 };
 
 /// Type may be so much smaller than normal before earlier steps are left out.

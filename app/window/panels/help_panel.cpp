@@ -30,7 +30,8 @@ void draw_help(PanelContext&) {
   heading("Mouse");
   quiet_words(
       "Rest on a symbol for its meaning and value. Drag the figure to turn it, the wheel zooms, a double "
-      "click puts it back; take the tip of ω to start another motion. The wheel over the text scrolls it.");
+      "click puts it back; take the tip of ω to start another motion. The wheel over the text scrolls it. "
+      "Rest on a plot for its values, click or drag there for the time.");
 }
 
 }  // namespace polhode

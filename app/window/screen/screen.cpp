@@ -346,7 +346,8 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     if (!made) return failure(made.error());
     picture_ = std::move(made).value();
   }
-  const bool is_dragging = (drag_.is_held() || varies_) && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
+  const bool is_dragging =
+      (drag_.is_held() || plots_.is_held() || varies_) && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
   const bool moving = session.is_moving() || is_dragging;
   const double resolution = moving ? pace_.resolution() : 1.0;
   const auto painted = show_page(session, page_region(session, frame.size), resolution);
@@ -456,6 +457,7 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
     symbols_.leave(session);
   }
   if (use_questions(session, on_page)) return;
+  if (!drag_.is_held() && plots_.use_mouse(session, page_->page().plots, on_page && !under, *sizes_)) return;
   if (walks_by_click(session, {io.MousePos.x, io.MousePos.y}, on_page && !under)) return;
   if (!drag_.is_held() && !on_page) return;
   const std::string refusal =
