@@ -163,7 +163,8 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   requests_.leave_full_screen = *command == Command::leave && before == Panel::none &&
                                 session.lit().empty() && !session.is_presenting();
   const bool was_presenting = session.is_presenting();
-  if (*command == Command::next_step && holds_back(session, is_repeated)) return true;
+  const bool goes_on = *command == Command::next_step || *command == Command::next_stage;
+  if (goes_on && holds_back(session, is_repeated)) return true;
   if (const std::string why = why_idle(session, *command); !why.empty()) {
     tell(why);
     return true;
@@ -181,8 +182,8 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   return do_in_window(session, *command);
 }
 
-/// What a prediction asks is told by the next step: who has not answered is asked to, once. Before an
-/// audience nobody is.
+/// What a prediction asks is told by the next step: who has not answered is asked to, once each time that he
+/// comes to it. Before an audience nobody is.
 bool Screen::holds_back(const LessonSession& session, bool is_repeated) {
   if (session.is_presenting() || !has_open_prediction(session)) return false;
   if (!is_repeated && held_back_ == session.place()) return false;
@@ -312,6 +313,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   if (shown_place_ != session.place()) {
     shown_place_ = session.place();
     symbols_.forget(session);
+    held_back_.reset();
   }
   stage_title_ = speech_->words_of_title(session.stage());
   if (!stage_title_.empty() && stage_title_.back() == '.') stage_title_.pop_back();
