@@ -49,8 +49,12 @@ bool is_for_field(std::string_view key) {
   return !(key.size() > 1 && key[0] == 'F');
 }
 
-/// What moves in a panel that has the keys.
-bool is_for_panel(std::string_view key) {
+/// What moves in a panel that has the keys. In one where there is nothing to choose they scroll, and the rest
+/// is the page's.
+bool is_for_panel(Panel panel, std::string_view key) {
+  static constexpr std::array<std::string_view, 6> kScroll = {"Up",       "Down", "PageUp",
+                                                              "PageDown", "Home", "End"};
+  if (panel == Panel::help) return std::find(kScroll.begin(), kScroll.end(), key) != kScroll.end();
   static constexpr std::array<std::string_view, 13> kOfPanels = {
       "Left",      "Right",  "Up",       "Down", "Space", "Enter",    "Tab",
       "Shift+Tab", "PageUp", "PageDown", "Home", "End",   "Backspace"};
@@ -137,12 +141,13 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
     ImGui::SetWindowFocus(nullptr);
     return true;
   }
-  if (!typing && panels_.has_focus() && (key == "Tab" || key == "Shift+Tab")) {
+  const bool is_of_panel = panels_.has_focus() && is_for_panel(session.panel, key);
+  if (!typing && is_of_panel && (key == "Tab" || key == "Shift+Tab")) {
     panels_.tab(key == "Tab" ? 1 : -1);
     return true;
   }
   const bool walks = session.is_presenting() && is_of_clicker(key);
-  if (!walks && ((typing && is_for_field(key)) || (panels_.has_focus() && is_for_panel(key)))) return false;
+  if (!walks && ((typing && is_for_field(key)) || is_of_panel)) return false;
   if (session.panel == Panel::question && !is_repeated && answer_by_key(session, key)) return true;
   const bool goes_on_typing = !typing && (types_ahead_ || !typed_ahead_.empty());
   if (goes_on_typing && (is_character(key) || key == "Space")) {
