@@ -567,6 +567,9 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
                  static_cast<double>(place.x + place.width), static_cast<double>(place.y + place.height)};
   if (request.scrolls) add_bar_of_new(request, text, grid.em, page.sheet);
   add_column(request, text, page.sheet, fonts);
+  if (!stands_side_by_side(request.size)) page.ceiling = grid.meters.y1;
+  page.column_shapes = page.sheet.shapes.size();
+  page.column_texts = page.sheet.texts.size();
   for (const FigureCell& cell : placed_figures(request, text, grid)) {
     const Step& step = *cell.step;
     std::vector<std::string> captions =

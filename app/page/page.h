@@ -135,6 +135,11 @@ struct Page {
   std::vector<OpenQuestion> open_questions{};
   /// Of a page that scrolls: how much of the column is above the page, and how much there is to scroll, px.
   double hidden = 0, overflow = 0;
+  /// Of a page that scrolls: text of the column that is above this is not to be seen, whatever stands there;
+  /// below a figure it is the figure's end. So many shapes and texts, the first of the sheet, are the
+  /// column's.
+  double ceiling = 0;
+  std::size_t column_shapes = 0, column_texts = 0;
   /// Where text and meters stand; bars and panels of the column reach one em further to each side.
   PixelBox column, meters;
   std::vector<PlotReading> plots{};  ///< of a page that scrolls: those that a hand can read

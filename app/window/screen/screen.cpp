@@ -454,7 +454,7 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
   const bool on_page = io.MousePos.x >= 0 && io.MousePos.y >= 0 && io.MousePos.x < page.width &&
                        io.MousePos.y < page.height && !io.WantCaptureMouse;
   const auto under =
-      on_page ? symbol_at(page_->symbols(), {io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt;
+      on_page ? page_->symbol_under({io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt;
   const bool points = !drag_.is_held() && !io.MouseDown[0];
   symbols_.point_at(session, page_->symbols(), points ? under : std::nullopt);
   if (under && io.MouseClicked[0] && follow(session, page_->symbols()[*under].name)) return;
