@@ -149,6 +149,26 @@ TEST_F(StillPageTest, WhatIsScrolledAwayIsNotOverTheFigureAboveIt) {
   EXPECT_EQ(page.hidden, 0);
 }
 
+// 2026-11-27: in a small window, where small type is held at what can be read, "Question" was broken in the
+// word.
+TEST_F(StillPageTest, TheNameBesideAQuestionIsOneWord) {
+  for (const Size size : {Size{1280, 800}, Size{800, 560}, Size{640, 480}, Size{800, 1200}}) {
+    session.go_to({0, 0});
+    draw_at(size);
+    const Page& page = screen->page().page();
+    ASSERT_FALSE(page.choices.empty());
+    int names = 0;
+    for (const PlacedType& text : page.sheet.texts) {
+      if (text.list.glyphs.size() != std::strlen("Question") || std::abs(text.at.x() - page.column.x0) > 1)
+        continue;
+      ++names;
+      for (const Glyph& glyph : text.list.glyphs)
+        EXPECT_EQ(glyph.y, text.list.glyphs.front().y) << size.width;
+    }
+    EXPECT_EQ(names, 1) << size.width;
+  }
+}
+
 // Indices apart, which are set within a line of larger type.
 TEST_F(StillPageTest, NoTypeIsTooSmallToBeRead) {
   for (const Size size : {Size{1280, 800}, Size{900, 600}, Size{800, 560}, Size{640, 480}})
