@@ -285,7 +285,7 @@ PlacedFigure figure_on_page(const PageRequest& request, const FigureCell& cell, 
 }
 
 void add_plots(const std::vector<TimePlot>& plots, const PixelBox& place, const Rows& arranged,
-               const PageRequest& request, const Grid& grid, Sheet& sheet, const Fonts& fonts) {
+               const PageRequest& request, const Grid& grid, Page& page, const Fonts& fonts) {
   const double pad = 1.3 * grid.small_em;
   TimePlotStyle style = plot_style(request.theme, small_type(request, kMeterSize * grid.small_em));
   const auto box_of = [&](std::size_t i) {
@@ -302,27 +302,31 @@ void add_plots(const std::vector<TimePlot>& plots, const PixelBox& place, const 
       style.least_margins = {std::max(style.least_margins.left, own.left),
                              std::max(style.least_margins.right, own.right)};
     }
-  for (std::size_t i = 0; i < plots.size(); ++i)
-    append(sheet, lay_out(plots[i], box_of(i), style, fonts), {0, 0});
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    append(page.sheet, lay_out(plots[i], box_of(i), style, fonts), {0, 0});
+    if (!request.scrolls) continue;
+    if (auto reading = reading_of(plots[i], box_of(i), style, fonts))
+      page.plots.push_back(std::move(*reading));
+  }
 }
 
 /// Each scene's in its own place, one below the other.
 void add_plots_alone(const PageRequest& request, const FigureCell& cell, const std::vector<PixelBox>& places,
-                     const Grid& grid, Sheet& sheet, const Fonts& fonts) {
+                     const Grid& grid, Page& page, const Fonts& fonts) {
   const std::vector<const SceneModel*> shown = shown_models(*cell.model);
   for (std::size_t i = 0; i < std::min(shown.size(), places.size()); ++i) {
     const std::vector<TimePlot> plots = meter_plots(*shown[i], cell.t_s);
     const std::size_t columns = plots.size() > 3 ? 2 : 1;
-    add_plots(plots, places[i], {(plots.size() + columns - 1) / columns, columns}, request, grid, sheet,
+    add_plots(plots, places[i], {(plots.size() + columns - 1) / columns, columns}, request, grid, page,
               fonts);
   }
 }
 
 /// @param alone where plots stand that have the figure's place; empty: they stand below it
 void add_meters(const PageRequest& request, const FigureCell& cell, const std::vector<PixelBox>& alone,
-                const Grid& grid, Sheet& sheet, const Fonts& fonts) {
+                const Grid& grid, Page& page, const Fonts& fonts) {
   const SceneModel& model = *cell.model;
-  if (!alone.empty()) return add_plots_alone(request, cell, alone, grid, sheet, fonts);
+  if (!alone.empty()) return add_plots_alone(request, cell, alone, grid, page, fonts);
   if (!each_has_meters(model)) {
     std::vector<TimePlot> plots = meter_plots(model, cell.t_s);
     Rows arranged = rows_of(plots.size(), false, is_wide_slide(request) || cell.are_plots_beside);
@@ -331,7 +335,7 @@ void add_meters(const PageRequest& request, const FigureCell& cell, const std::v
       arranged.columns = std::clamp(static_cast<std::size_t>(fitting), std::size_t{1}, arranged.columns);
       plots.resize(std::min(plots.size(), arranged.rows * arranged.columns));
     }
-    add_plots(plots, cell.meters, arranged, request, grid, sheet, fonts);
+    add_plots(plots, cell.meters, arranged, request, grid, page, fonts);
     return;
   }
   const std::vector<const SceneModel*> shown = shown_models(model);
@@ -339,7 +343,7 @@ void add_meters(const PageRequest& request, const FigureCell& cell, const std::v
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const double x = cell.meters.x0 + width * static_cast<double>(i);
     const PixelBox place{x, cell.meters.y0, x + width, cell.meters.y1};
-    add_plots(meter_plots(*shown[i], cell.t_s), place, {meter_rows(model, false), 1}, request, grid, sheet,
+    add_plots(meter_plots(*shown[i], cell.t_s), place, {meter_rows(model, false), 1}, request, grid, page,
               fonts);
   }
 }
@@ -570,6 +574,9 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
                  static_cast<double>(place.x + place.width), static_cast<double>(place.y + place.height)};
   if (request.scrolls) add_bar_of_new(request, text, grid.em, page.sheet);
   add_column(request, text, page.sheet, fonts);
+  if (!stands_side_by_side(request.size)) page.ceiling = grid.meters.y1;
+  page.column_shapes = page.sheet.shapes.size();
+  page.column_texts = page.sheet.texts.size();
   for (const FigureCell& cell : placed_figures(request, text, grid)) {
     const Step& step = *cell.step;
     std::vector<std::string> captions =
@@ -582,7 +589,7 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
     PlacedFigure figure = figure_on_page(request, cell, grid, std::move(captions), rooms_alone, fonts);
     std::move(figure.insets.begin(), figure.insets.end(), std::back_inserter(page.insets));
     append(page.sheet, std::move(figure.sheet), {0, 0});
-    add_meters(request, cell, figure.plots, grid, page.sheet, fonts);
+    add_meters(request, cell, figure.plots, grid, page, fonts);
   }
   if (request.model && are_plots_alone(*request.model)) {
     page.meters = page.figure;
@@ -617,7 +624,7 @@ Page compose_picture(const PageRequest& request, const Fonts& fonts) {
       figure_on_page(request, cell, grid, std::vector<std::string>(shown_models(model).size()), false, fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});
-  add_meters(request, cell, figure.plots, grid, page.sheet, fonts);
+  add_meters(request, cell, figure.plots, grid, page, fonts);
   page.meters = grid.meters;
   page.figure = {0, 0, w, h - below};
   return page;

@@ -8,6 +8,7 @@
 #include "app/narration/verdict_row.h"
 #include "app/page/page_theme.h"
 #include "render/drawing/label_layout.h"
+#include "render/drawing/plots/time_plot.h"
 #include "render/gl/renderer.h"
 #include "render/scene/model/model.h"
 
@@ -137,9 +138,15 @@ struct Page {
   std::vector<OpenQuestion> open_questions{};
   /// Of a page that scrolls: how much of the column is above the page, and how much there is to scroll, px.
   double hidden = 0, overflow = 0;
+  /// Of a page that scrolls: text of the column that is above this is not to be seen, whatever stands there;
+  /// below a figure it is the figure's end. So many shapes and texts, the first of the sheet, are the
+  /// column's.
+  double ceiling = 0;
+  std::size_t column_shapes = 0, column_texts = 0;
   /// Where text and meters stand; bars and panels of the column reach one em further to each side.
   PixelBox column, meters;
-  PixelBox figure;  ///< of the space figure, and of diagrams with it; empty: none
+  std::vector<PlotReading> plots{};  ///< of a page that scrolls: those that a hand can read
+  PixelBox figure;                   ///< of the space figure, and of diagrams with it; empty: none
 };
 
 /// Type may be so much smaller than normal before earlier steps are left out.

@@ -42,10 +42,11 @@ constexpr double kDisplayGap = 0.78;
 constexpr double kLineTop = 0.74;     ///< of a line without tall letters, above its baseline
 constexpr double kLineBottom = 0.24;  ///< and below it
 constexpr double kLabelIndent = 4.1;
-constexpr double kFormulaClearance = 0.5;  ///< between formulas with fractions, one below the other
-constexpr double kEarlierGap = 0.62;       ///< between equations of earlier steps
-constexpr double kLabelRoom = 0.36;        ///< of the column, for what they are
-constexpr double kLeastBeside = 5.0;       ///< of that room
+constexpr double kLabelGap = 0.45, kBarGap = 0.55;  ///< before the bar of what has a name, and behind it
+constexpr double kFormulaClearance = 0.5;           ///< between formulas with fractions, one below the other
+constexpr double kEarlierGap = 0.62;                ///< between equations of earlier steps
+constexpr double kLabelRoom = 0.36;                 ///< of the column, for what they are
+constexpr double kLeastBeside = 5.0;                ///< of that room
 constexpr double kLeastScaleBeside = 0.85;
 constexpr double kEarlierLabelSize = 0.7;
 constexpr double kBesideGap = 0.6;
@@ -546,8 +547,12 @@ Result<ColumnPiece> TextColumn::from_before(const Equation& equation, bool below
   return piece;
 }
 
+/// Where small type is held at what can be read, the names beside the bars need more of the column: in the
+/// same room "Question" was broken in the word.
 double TextColumn::label_indent() const {
-  return std::round((profile_ == Profile::slides ? kBarIndent : kLabelIndent) * size_);
+  if (profile_ == Profile::slides) return std::round(kBarIndent * size_);
+  const double larger = small_size(kLabelSize) / (kLabelSize * size_) - 1.0;
+  return std::round((kLabelIndent + larger * (kLabelIndent - kLabelGap - kBarGap)) * size_);
 }
 
 /// `plain` behind a bar, with its name on the left of it; on a slide the name stands above.
@@ -565,13 +570,13 @@ Result<ColumnPiece> TextColumn::labelled(const std::string& label, const Color& 
     add(piece, std::move(plain).value(), {label_indent(), line});
     return piece;
   }
-  const double indent = std::round(kLabelIndent * size_), bar = indent - std::round(0.55 * size_);
+  const double indent = label_indent(), bar = indent - std::round(kBarGap * size_);
   TextStyle small = style(small_size(kLabelSize), color, 0);
   small.sans = small.bold = true;
   small.leading = 1.2;
   const double baseline = plain->sheet.texts.front().at.y();
   DisplayList name = set_line(label, small, fonts_);
-  if (const double room = bar - std::round(0.45 * size_); name.width > room) {  // in several lines
+  if (const double room = bar - std::round(kLabelGap * size_); name.width > room) {  // in several lines
     small.width = room;
     TextSpan span;
     span.text = label;

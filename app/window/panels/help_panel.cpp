@@ -5,9 +5,34 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace polhode {
 
-void draw_help(PanelContext&) {
+namespace {
+
+/// There is nothing to choose here: arrows and Page keys move the text.
+void scroll_by_keys() {
+  const float line = 3 * ImGui::GetTextLineHeightWithSpacing(), page = 0.85F * ImGui::GetWindowHeight();
+#if IMGUI_VERSION_NUM < 18700
+  const auto is_pressed = [](ImGuiKey_ key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+#else
+  const auto is_pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(key); };
+#endif
+  float to = ImGui::GetScrollY();
+  if (is_pressed(ImGuiKey_DownArrow)) to += line;
+  if (is_pressed(ImGuiKey_UpArrow)) to -= line;
+  if (is_pressed(ImGuiKey_PageDown)) to += page;
+  if (is_pressed(ImGuiKey_PageUp)) to -= page;
+  if (is_pressed(ImGuiKey_Home)) to = 0;
+  if (is_pressed(ImGuiKey_End)) to = ImGui::GetScrollMaxY();
+  if (to != ImGui::GetScrollY()) ImGui::SetScrollY(std::clamp(to, 0.0F, ImGui::GetScrollMaxY()));
+}
+
+}  // namespace
+
+void draw_help(PanelContext& context) {
+  if (context.has_keys) scroll_by_keys();
   std::string_view group;
   for (const CommandFacts& facts : all_commands()) {
     if (facts.group != group) heading(std::string(group = facts.group).c_str());
@@ -22,15 +47,14 @@ void draw_help(PanelContext&) {
   }
   heading("In a panel");
   quiet_words(
-      "In a panel that a key has opened arrows go from control to control. Space presses a button, and takes "
-      "a "
-      "slider, which arrows then move; Enter types a number into it. F6 goes back to the page. After a click "
-      "in "
-      "a panel arrows and Space are the page's.");
+      "In a panel that a key has opened arrows go from control to control; here they scroll. Space presses a "
+      "button, and takes a slider, which arrows then move; Enter types a number into it. F6 goes back to the "
+      "page. After a click in a panel arrows and Space are the page's.");
   heading("Mouse");
   quiet_words(
       "Rest on a symbol for its meaning and value. Drag the figure to turn it, the wheel zooms, a double "
-      "click puts it back; take the tip of ω to start another motion. The wheel over the text scrolls it.");
+      "click puts it back; take the tip of ω to start another motion. The wheel over the text scrolls it. "
+      "Rest on a plot for its values, click or drag there for the time.");
 }
 
 }  // namespace polhode

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -227,7 +228,12 @@ void MethodPanel::draw(PanelContext& context, const std::string& refusal) {
   LessonSession& session = context.session;
   if (!session.model()) return quiet_words("This step has no figure.");
   heading("From fast to accurate");
+  // As high as it becomes: when the methods are measured nothing falls from under the pointer.
+  constexpr float kLinesBelow = 3;  // the ends of the slider, and what is said of the present method
+  const float end = ImGui::GetCursorPosY() + ImGui::GetFrameHeightWithSpacing() +
+                    kLinesBelow * ImGui::GetTextLineHeightWithSpacing();
   choose_from_front(context, *session.model());
+  ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), end));
   heading("Method");
   choose_method(context, *session.model());
   choose_step(context, *session.model());

@@ -99,10 +99,12 @@ void Panels::draw(PanelContext& context, const Region& region) {
   ImGui::SetNextWindowPos({region.x, region.y});
   ImGui::SetNextWindowSize({region.width, region.height});
   if (context.take_focus) ImGui::SetNextWindowFocus();
+  const bool only_scrolls = context.session.panel == Panel::help;
   ImGui::Begin("panel", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
+               (only_scrolls ? ImGuiWindowFlags_NoNavInputs : 0) | ImGuiWindowFlags_NoTitleBar |
+                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
   const bool is_focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   const ImGuiIO& io = ImGui::GetIO();
   takes_keys_ = takes_keys_ && is_focused && !io.MouseClicked[0];
@@ -111,7 +113,7 @@ void Panels::draw(PanelContext& context, const Region& region) {
   const bool asks = context.session.panel == Panel::question;
   if (is_focused && context.take_focus) takes_keys_ = !asks;
   const bool opens_by_key = is_focused && context.take_focus && !asks;
-  if (std::exchange(shows_focus_, false) || opens_by_key) focus_first_control();
+  if ((std::exchange(shows_focus_, false) || opens_by_key) && !only_scrolls) focus_first_control();
   if (is_focused) step_focus();
   has_focus_ = is_focused && (takes_keys_ || (io.NavVisible && !asks) || io.WantTextInput);
   awaits_text_ = is_focused && !takes_keys_ && !io.WantTextInput && has_text_field(context.session);
@@ -128,7 +130,8 @@ void Panels::draw(PanelContext& context, const Region& region) {
   ImGui::PopFont();
   const std::pair now(context.session.panel, context.session.place());
   if (std::exchange(shown_, now) != now) refusal_.clear();
-  ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  ImGui::BeginChild("contents", {0, 0}, false,
+                    only_scrolls ? ImGuiWindowFlags_NoNavInputs : ImGuiWindowFlags_NavFlattened);
   draw_contents(context);
   ImGui::EndChild();
   make_edits(context);

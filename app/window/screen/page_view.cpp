@@ -24,6 +24,34 @@ PageRequest request_of(const LessonSession& session, const PageLook& look) {
           .derivation = session.shown_derivation()};
 }
 
+/// Of the column, what is scrolled away under the figure above it: lines as a whole, boxes and bars in part.
+void hide_above_ceiling(Page& page) {
+  const auto shapes = static_cast<std::ptrdiff_t>(page.column_shapes);
+  const auto is_hidden = [&](FlatShape& shape) {
+    return std::visit(
+        [&](auto& drawn) {
+          bool is_seen = false;
+          for (Vec2& point : drawn.points) {
+            is_seen = is_seen || point.y() > page.ceiling;
+            point.y() = std::max(point.y(), page.ceiling);
+          }
+          return !is_seen;
+        },
+        shape);
+  };
+  std::vector<FlatShape>& all = page.sheet.shapes;
+  all.erase(std::remove_if(all.begin(), all.begin() + shapes, is_hidden), all.begin() + shapes);
+  for (std::size_t i = 0; i < page.column_texts; ++i) {
+    constexpr double kTall = 0.75;  // of the type's size, above its line
+    PlacedType& text = page.sheet.texts[i];
+    std::erase_if(text.list.glyphs, [&](const Glyph& glyph) {
+      return text.at.y() + glyph.y - kTall * static_cast<double>(glyph.size) < page.ceiling;
+    });
+    std::erase_if(text.list.rules,
+                  [&](const Rule& rule) { return text.at.y() + std::min(rule.y0, rule.y1) < page.ceiling; });
+  }
+}
+
 }  // namespace
 
 PageView::PageKey PageView::key_of(const LessonSession& session, const PageLook& look) const {
@@ -59,6 +87,14 @@ Status PageView::compose(const LessonSession& session, const PageKey& key) {
     request.entrance = TurningInto{from_ ? &*from_ : nullptr, session.transition()};
   page_ = compose_page(request, *text_, fonts);
   symbols_ = symbols_on(page_.sheet, fonts);
+  column_symbols_ = 0;
+  if (page_.hidden > 0 && page_.ceiling > 0) {
+    const auto first = page_.sheet.texts.begin();
+    Sheet column{.shapes = {}, .over_insets = {}, .texts = {}};
+    column.texts.assign(first, first + static_cast<std::ptrdiff_t>(page_.column_texts));
+    column_symbols_ = symbols_on(column, fonts).size();
+    hide_above_ceiling(page_);
+  }
   const PageColors& colors = colors_of(request.theme);
   for (FlatShape& mark :
        marks_of(symbols_, key.lit, key.look.focus, colors.marked, colors.question, page_.scale * 16))
@@ -82,9 +118,17 @@ bool PageView::scroll(double by_px) {
 
 void PageView::scroll_to_see(double y0, double y1) {
   if (!text_ || !picture_) return;
-  const double bottom = picture_->size().height - page_.column.y0;
+  const double bottom = std::max(page_.column.y0, page_.column.y1);
   if (y0 < page_.column.y0) scroll(y0 - page_.column.y0);
   if (y0 >= page_.column.y0 && y1 > bottom) scroll(y1 - bottom);
+}
+
+std::optional<std::size_t> PageView::symbol_under(const Vec2& at, double reach) const {
+  const auto hidden = static_cast<std::ptrdiff_t>(at.y() < page_.ceiling ? column_symbols_ : 0);
+  if (hidden == 0) return symbol_at(symbols_, at, reach);
+  const std::vector<PageSymbol> seen(symbols_.begin() + hidden, symbols_.end());
+  const auto found = symbol_at(seen, at, reach);
+  return found ? std::optional(*found + static_cast<std::size_t>(hidden)) : std::nullopt;
 }
 
 bool PageView::is_step_before(const TextKey& before, const TextKey& now) {

@@ -40,6 +40,9 @@ class PageView {
 
   const Framebuffer& picture() const { return *picture_; }  ///< precondition: shown
   const std::vector<PageSymbol>& symbols() const { return symbols_; }
+  /// The place among them of the one within `reach` px of the pointer; none of what is scrolled away under
+  /// the figure.
+  std::optional<std::size_t> symbol_under(const Vec2& at, double reach) const;
   const std::vector<Inset>& insets() const { return page_.insets; }
   const Page& page() const { return page_; }
 
@@ -80,6 +83,7 @@ class PageView {
   StillNumbers still_numbers_;             ///< of the lesson that text_key_ names
   Page page_;
   std::vector<PageSymbol> symbols_;
+  std::size_t column_symbols_ = 0;  ///< so many of the first may be scrolled away; 0: all are seen
   std::optional<Framebuffer> picture_;
 };
 

@@ -49,8 +49,12 @@ bool is_for_field(std::string_view key) {
   return !(key.size() > 1 && key[0] == 'F');
 }
 
-/// What moves in a panel that has the keys.
-bool is_for_panel(std::string_view key) {
+/// What moves in a panel that has the keys. In one where there is nothing to choose they scroll, and the rest
+/// is the page's.
+bool is_for_panel(Panel panel, std::string_view key) {
+  static constexpr std::array<std::string_view, 6> kScroll = {"Up",       "Down", "PageUp",
+                                                              "PageDown", "Home", "End"};
+  if (panel == Panel::help) return std::find(kScroll.begin(), kScroll.end(), key) != kScroll.end();
   static constexpr std::array<std::string_view, 13> kOfPanels = {
       "Left",      "Right",  "Up",       "Down", "Space", "Enter",    "Tab",
       "Shift+Tab", "PageUp", "PageDown", "Home", "End",   "Backspace"};
@@ -137,12 +141,13 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
     ImGui::SetWindowFocus(nullptr);
     return true;
   }
-  if (!typing && panels_.has_focus() && (key == "Tab" || key == "Shift+Tab")) {
+  const bool is_of_panel = panels_.has_focus() && is_for_panel(session.panel, key);
+  if (!typing && is_of_panel && (key == "Tab" || key == "Shift+Tab")) {
     panels_.tab(key == "Tab" ? 1 : -1);
     return true;
   }
   const bool walks = session.is_presenting() && is_of_clicker(key);
-  if (!walks && ((typing && is_for_field(key)) || (panels_.has_focus() && is_for_panel(key)))) return false;
+  if (!walks && ((typing && is_for_field(key)) || is_of_panel)) return false;
   if (session.panel == Panel::question && !is_repeated && answer_by_key(session, key)) return true;
   const bool goes_on_typing = !typing && (types_ahead_ || !typed_ahead_.empty());
   if (goes_on_typing && (is_character(key) || key == "Space")) {
@@ -163,7 +168,8 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   requests_.leave_full_screen = *command == Command::leave && before == Panel::none &&
                                 session.lit().empty() && !session.is_presenting();
   const bool was_presenting = session.is_presenting();
-  if (*command == Command::next_step && holds_back(session, is_repeated)) return true;
+  const bool goes_on = *command == Command::next_step || *command == Command::next_stage;
+  if (goes_on && holds_back(session, is_repeated)) return true;
   if (const std::string why = why_idle(session, *command); !why.empty()) {
     tell(why);
     return true;
@@ -181,8 +187,8 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   return do_in_window(session, *command);
 }
 
-/// What a prediction asks is told by the next step: who has not answered is asked to, once. Before an
-/// audience nobody is.
+/// What a prediction asks is told by the next step: who has not answered is asked to, once each time that he
+/// comes to it. Before an audience nobody is.
 bool Screen::holds_back(const LessonSession& session, bool is_repeated) {
   if (session.is_presenting() || !has_open_prediction(session)) return false;
   if (!is_repeated && held_back_ == session.place()) return false;
@@ -312,6 +318,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   if (shown_place_ != session.place()) {
     shown_place_ = session.place();
     symbols_.forget(session);
+    held_back_.reset();
   }
   stage_title_ = speech_->words_of_title(session.stage());
   if (!stage_title_.empty() && stage_title_.back() == '.') stage_title_.pop_back();
@@ -346,7 +353,8 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     if (!made) return failure(made.error());
     picture_ = std::move(made).value();
   }
-  const bool is_dragging = (drag_.is_held() || varies_) && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
+  const bool is_dragging =
+      (drag_.is_held() || plots_.is_held() || varies_) && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
   const bool moving = session.is_moving() || is_dragging;
   const double resolution = moving ? pace_.resolution() : 1.0;
   const auto painted = show_page(session, page_region(session, frame.size), resolution);
@@ -446,7 +454,7 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
   const bool on_page = io.MousePos.x >= 0 && io.MousePos.y >= 0 && io.MousePos.x < page.width &&
                        io.MousePos.y < page.height && !io.WantCaptureMouse;
   const auto under =
-      on_page ? symbol_at(page_->symbols(), {io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt;
+      on_page ? page_->symbol_under({io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt;
   const bool points = !drag_.is_held() && !io.MouseDown[0];
   symbols_.point_at(session, page_->symbols(), points ? under : std::nullopt);
   if (under && io.MouseClicked[0] && follow(session, page_->symbols()[*under].name)) return;
@@ -456,6 +464,7 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
     symbols_.leave(session);
   }
   if (use_questions(session, on_page)) return;
+  if (!drag_.is_held() && plots_.use_mouse(session, page_->page().plots, on_page && !under, *sizes_)) return;
   if (walks_by_click(session, {io.MousePos.x, io.MousePos.y}, on_page && !under)) return;
   if (!drag_.is_held() && !on_page) return;
   const std::string refusal =

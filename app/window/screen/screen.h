@@ -11,6 +11,7 @@
 #include "app/window/screen/notices.h"
 #include "app/window/screen/pace.h"
 #include "app/window/screen/page_view.h"
+#include "app/window/screen/plot_hand.h"
 #include "app/window/screen/symbol_focus.h"
 
 #include <functional>
@@ -132,6 +133,7 @@ class Screen {
   Panels panels_;
   SymbolFocus symbols_;
   FigureDrag drag_;
+  PlotHand plots_;
   bool varies_ = false;  ///< a number, by a slider that is held
   Notices notices_;
   std::unique_ptr<SpeechText> speech_;

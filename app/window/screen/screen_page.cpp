@@ -11,6 +11,7 @@ namespace polhode {
 
 /// Of a question that is still open.
 const Page::Choice* Screen::choice_at(const LessonSession& session, const Vec2& at) const {
+  if (at.y() < page_->page().ceiling) return nullptr;  // scrolled away under the figure
   for (const Page::Choice& choice : page_->page().choices) {
     const std::vector<const Ask*> asked = session.questions();
     if (std::find(asked.begin(), asked.end(), choice.ask) == asked.end()) continue;  // the page before
@@ -34,10 +35,13 @@ void Screen::draw_choices(const LessonSession& session, const Page::Choice* poin
   for (const Page::Choice& choice : page_->page().choices) {
     if (std::find(asked.begin(), asked.end(), choice.ask) == asked.end()) continue;
     const PixelBox& box = choice.box;
+    if (box.y0 < page_->page().ceiling) continue;
     if (&choice == pointed_at) {
       ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      list.AddRect(corner(box.x0, box.y0), corner(box.x1, box.y1), ImGui::GetColorU32(ImGuiCol_CheckMark),
-                   0.3F * em, 0, 0.1F * em);
+      const double aside = static_cast<double>(0.35F * em),
+                   below = 0.12 * (box.y1 - box.y0);  // clear of the type
+      list.AddRect(corner(box.x0 - aside, box.y0 + below), corner(box.x1, box.y1 + below),
+                   ImGui::GetColorU32(ImGuiCol_CheckMark), 0.3F * em, 0, 0.1F * em);
     }
     const JudgedAnswer* judged = session.judged(*choice.ask);
     const bool is_picked =
@@ -53,6 +57,7 @@ void Screen::draw_choices(const LessonSession& session, const Page::Choice* poin
 
 /// Of the present step's, not of the page before.
 const Page::OpenQuestion* Screen::question_at(const LessonSession& session, const Vec2& at) const {
+  if (at.y() < page_->page().ceiling) return nullptr;
   const std::vector<const Ask*> asked = session.questions();
   for (const Page::OpenQuestion& question : page_->page().open_questions) {
     const PixelBox& box = question.box;
@@ -71,8 +76,9 @@ bool Screen::use_questions(LessonSession& session, bool on_page) {
   const Page::OpenQuestion* question = on_page ? question_at(session, at) : nullptr;
   if (question != nullptr) {
     const PixelBox& box = question->box;
+    const double top = std::max(box.y0, page_->page().ceiling);
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    ImGui::GetBackgroundDrawList()->AddRect({static_cast<float>(box.x0), static_cast<float>(box.y0)},
+    ImGui::GetBackgroundDrawList()->AddRect({static_cast<float>(box.x0), static_cast<float>(top)},
                                             {static_cast<float>(box.x1), static_cast<float>(box.y1)},
                                             ImGui::GetColorU32(ImGuiCol_CheckMark), 0.3F * sizes_->em, 0,
                                             0.1F * sizes_->em);
@@ -134,7 +140,8 @@ void Screen::scroll_by_wheel() {
   constexpr float kNotch = 3;  // em
   const ImGuiIO& io = ImGui::GetIO();
   const PixelBox& column = page_->page().column;
-  if (io.MouseWheel != 0 && io.MousePos.x < column.x1 + sizes_->em)
+  const bool over_text = io.MousePos.x < column.x1 + sizes_->em && io.MousePos.y >= page_->page().ceiling;
+  if (io.MouseWheel != 0 && over_text)
     page_->scroll(-static_cast<double>(kNotch * io.MouseWheel * sizes_->em));
 }
 
@@ -154,13 +161,14 @@ void Screen::draw_scroll_marks(const LessonSession& session) {
                      ImGui::GetColorU32(ImGuiCol_ScrollbarGrab), 0.2F * em);
   if (page.hidden <= 0) return;
   const Color paper = colors_of(*theme_).paper;
-  const float strip = 2.2F * em;
-  list.AddRectFilled({x0 - 2 * em, 0}, {x1 + em, strip},
+  const auto ceiling = static_cast<float>(page.ceiling);
+  const float strip = ceiling > 0 ? std::min(2.2F * em, y0 - ceiling) : 2.2F * em, low = ceiling + strip;
+  list.AddRectFilled({x0 - 2 * em, ceiling}, {x1 + em, low},
                      ImGui::ColorConvertFloat4ToU32({paper.r, paper.g, paper.b, 1}));
-  list.AddLine({x0 - 2 * em, strip}, {x1 + em, strip}, ImGui::GetColorU32(ImGuiCol_Border));
+  list.AddLine({x0 - 2 * em, low}, {x1 + em, low}, ImGui::GetColorU32(ImGuiCol_Border));
   const std::string words = fmt::format("{}  ·  step {} of {}", stage_title_, session.place().step + 1,
                                         session.stage().steps.size());
-  list.AddText({x0, 0.6F * em}, ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
+  list.AddText({x0, ceiling + 0.5F * (strip - em)}, ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
 }
 
 }  // namespace polhode

@@ -140,6 +140,25 @@ class TimePlotLayout {
 
   const PlotMargins& margins() const { return margins_; }
 
+  PlotReading reading() const {
+    PlotReading reading{.frame = frame_,
+                        .is_of_time = plot_.x_label.empty(),
+                        .x_unit = plot_.x_unit,
+                        .unit = plot_.unit,
+                        .x = plot_.t,
+                        .x_px = {},
+                        .curves = {}};
+    for (const double x : plot_.t) reading.x_px.push_back(time_.px(x));
+    for (const TimeSeries& series : plot_.series) {
+      PlotReading::Curve curve{.ink = name_color(series), .y = series.y, .y_px = {}};
+      for (const double y : series.y)
+        curve.y_px.push_back(axis_.shows(y) && is_in_range(y) ? axis_.px(y)
+                                                              : std::numeric_limits<double>::quiet_NaN());
+      reading.curves.push_back(std::move(curve));
+    }
+    return reading;
+  }
+
  private:
   double px(double sizes) const { return sizes * style_.type_size; }
   DisplayList line_of(const std::string& text, const Color& color, double scale = 1.0) const {
@@ -415,6 +434,24 @@ class TimePlotLayout {
 PlotMargins margins_of(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style,
                        const Fonts& fonts) {
   return TimePlotLayout(plot, box, style, fonts).margins();
+}
+
+double PlotReading::x_at(double px) const {
+  const double part = (std::clamp(px, frame.x0, frame.x1) - frame.x0) / (frame.x1 - frame.x0);
+  return x.empty() ? 0.0 : std::lerp(x.front(), x.back(), part);
+}
+
+std::size_t PlotReading::nearest(double px) const {
+  const auto after = std::lower_bound(x_px.begin(), x_px.end(), px);
+  if (after == x_px.begin()) return 0;
+  const auto i = static_cast<std::size_t>(after - x_px.begin());
+  return i < x_px.size() && x_px[i] - px < px - x_px[i - 1] ? i : i - 1;
+}
+
+std::optional<PlotReading> reading_of(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style,
+                                      const Fonts& fonts) {
+  if (plot.is_path || plot.t.empty()) return std::nullopt;
+  return TimePlotLayout(plot, box, style, fonts).reading();
 }
 
 Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts) {

@@ -57,6 +57,29 @@ struct TimePlotStyle {
 PlotMargins margins_of(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style,
                        const Fonts& fonts);
 
+/// Where the points of a plot stand, for a hand that reads it.
+struct PlotReading {
+  PixelBox frame;          ///< the axes' rectangle
+  bool is_of_time = true;  ///< of another quantity else
+  std::string x_unit, unit;
+  std::vector<double> x;  ///< of the samples, in ascending order, at the places x_px
+  std::vector<double> x_px;
+  struct Curve {
+    Color ink;
+    std::vector<double> y, y_px;  ///< at the samples; NaN in y_px: nothing is drawn there
+  };
+  std::vector<Curve> curves;
+
+  /// What lies at the place, within the axes.
+  double x_at(double px) const;
+  /// The sample nearest to the place. Precondition: there are samples
+  std::size_t nearest(double px) const;
+};
+
+/// Of the plot that lay_out draws of the same arguments; nothing of a path.
+std::optional<PlotReading> reading_of(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style,
+                                      const Fonts& fonts);
+
 /// In `box`; where that is smaller than 14 sizes of type by 7.5, the type is smaller. Values that are not
 /// finite leave gaps. Pure.
 Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts);

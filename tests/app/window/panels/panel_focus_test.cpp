@@ -42,6 +42,33 @@ TEST_F(PanelFocus, BeginsOnAControlThatIsSeenAndClosesNothing) {
   }
 }
 
+// 2026-11-27: the table of keys could not be read by keys: arrows did nothing, and Space closed it. There is
+// nothing to choose in it: what moves scrolls, the other keys are the page's.
+TEST_F(PanelFocus, TheTableOfKeysIsScrolledByKeys) {
+  session.go_to({1, 0});
+  frame(2);
+  screen->press(session, "?");
+  frame(5);
+  ASSERT_EQ(session.panel, Panel::help);
+  EXPECT_FALSE(is_ring_seen());
+  const Image head = screen->read();
+  for (const ImGuiKey_ key : {ImGuiKey_DownArrow, ImGuiKey_PageDown, ImGuiKey_End}) {
+    const Image before = screen->read();
+    give_to_panel(static_cast<ImGuiKey>(key));
+    EXPECT_NE(screen->read().rgba, before.rgba) << key;
+  }
+  give_to_panel(ImGuiKey_Home);
+  EXPECT_EQ(screen->read().rgba, head.rgba);
+  EXPECT_FALSE(is_ring_seen());
+  for (const char* key : {"Down", "Up", "PageDown", "PageUp", "Home", "End"})
+    EXPECT_FALSE(screen->press(session, key)) << key;
+  EXPECT_TRUE(screen->press(session, "Right"));
+  EXPECT_EQ(session.place(), (StepPlace{1, 1}));
+  EXPECT_TRUE(screen->press(session, "Space"));
+  EXPECT_TRUE(session.is_playing());
+  EXPECT_EQ(session.panel, Panel::help);
+}
+
 TEST_F(PanelFocus, IsShownByTheKeyThatGivesItToThePanel) {
   screen->press(session, "B");
   frame(5);

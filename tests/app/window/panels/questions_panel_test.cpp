@@ -223,6 +223,39 @@ TEST_F(QuestionsPanelTest, APredictionHoldsTheNextStepBackOnce) {
   EXPECT_EQ(session.place(), (StepPlace{asked.stage, asked.step + 1}));
 }
 
+// 2026-11-27: the arrow to the next stage passed it over at the first press, and every way of going on
+// counts.
+TEST_F(QuestionsPanelTest, APredictionHoldsBackByEveryWayOfGoingOn) {
+  const auto go_on = [&](const std::string& way) {
+    if (way == "the button")
+      click(148, 775);
+    else
+      screen->press(session, way);
+    frame(2);
+  };
+  for (const char* way : {"Right", "PageDown", "Down", "Ctrl+PageDown", "Shift+PageDown", "the button"}) {
+    session.go_to({0, 0});
+    frame(2);
+    go_to_question("no-torque");
+    frame(3);
+    const StepPlace asked = session.place();
+    go_on(way);
+    EXPECT_EQ(session.place(), asked) << way;
+    EXPECT_THAT(screen->notice(), testing::HasSubstr("Answer first")) << way;
+    go_on(way);
+    EXPECT_NE(session.place(), asked) << way << ": once";
+    session.go_to(asked);
+    screen->press(session, "P");
+    frame(2);
+    if (std::string_view(way) != "the button") {
+      go_on(way);
+      EXPECT_NE(session.place(), asked) << way << ": an audience does not wait";
+    }
+    screen->press(session, "P");
+    frame(2);
+  }
+}
+
 // Of several that are typed the next one has the cursor, and Q begins in the first that is open.
 TEST_F(QuestionsPanelTest, TheCursorGoesOnToWhatIsStillToBeAnswered) {
   session.replace_lesson(test::loaded_text(R"(+++

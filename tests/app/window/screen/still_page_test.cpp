@@ -120,6 +120,55 @@ TEST_F(StillPageTest, ASymbolInFocusIsScrolledTo) {
   }
 }
 
+// 2026-11-27: in a window that is higher than wide what was scrolled away was written over the figure.
+TEST_F(StillPageTest, WhatIsScrolledAwayIsNotOverTheFigureAboveIt) {
+  const Size high{800, 1100};
+  session.go_to({0, session.lesson().stages[0].steps.size() - 1});
+  draw_at(high);
+  const Page& page = screen->page().page();
+  ASSERT_GT(page.hidden, 0);
+  ASSERT_GT(page.ceiling, 200);
+  const auto figure_rows = [&] {
+    const Image shown = screen->page().picture().read();
+    const auto rows = static_cast<std::ptrdiff_t>(page.ceiling) * shown.size.width * 4;
+    return std::vector<std::uint8_t>(shown.rgba.begin(), shown.rgba.begin() + rows);
+  };
+  const auto end = figure_rows();
+  const std::size_t symbols = screen->page().symbols().size();
+  for (int i = 0; i < 40; ++i) screen->press(session, "K");
+  draw_at(high);
+  ASSERT_EQ(page.hidden, 0);
+  EXPECT_EQ(figure_rows(), end);
+  EXPECT_EQ(screen->page().symbols().size(), symbols) << "Tab goes to what is scrolled away too";
+  // The wheel over the figure is the figure's.
+  ImGui::GetIO().MousePos = {300, 100};
+  ImGui::GetIO().MouseWheel = -3;
+  draw_at(high, 1);
+  ImGui::GetIO().MouseWheel = 0;
+  draw_at(high);
+  EXPECT_EQ(page.hidden, 0);
+}
+
+// 2026-11-27: in a small window, where small type is held at what can be read, "Question" was broken in the
+// word.
+TEST_F(StillPageTest, TheNameBesideAQuestionIsOneWord) {
+  for (const Size size : {Size{1280, 800}, Size{800, 560}, Size{640, 480}, Size{800, 1200}}) {
+    session.go_to({0, 0});
+    draw_at(size);
+    const Page& page = screen->page().page();
+    ASSERT_FALSE(page.choices.empty());
+    int names = 0;
+    for (const PlacedType& text : page.sheet.texts) {
+      if (text.list.glyphs.size() != std::strlen("Question") || std::abs(text.at.x() - page.column.x0) > 1)
+        continue;
+      ++names;
+      for (const Glyph& glyph : text.list.glyphs)
+        EXPECT_EQ(glyph.y, text.list.glyphs.front().y) << size.width;
+    }
+    EXPECT_EQ(names, 1) << size.width;
+  }
+}
+
 // Indices apart, which are set within a line of larger type.
 TEST_F(StillPageTest, NoTypeIsTooSmallToBeRead) {
   for (const Size size : {Size{1280, 800}, Size{900, 600}, Size{800, 560}, Size{640, 480}})

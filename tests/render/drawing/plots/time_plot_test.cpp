@@ -263,5 +263,39 @@ TEST(TimePlot, ALogarithmicAxisGoesAsFarAsItsRange) {
               2.0);
 }
 
+// What a hand reads is what is drawn: the axes' rectangle, the samples, gaps where nothing is.
+TEST(TimePlot, AReadingIsOfWhatIsDrawn) {
+  TimePlot plot = plot_of({ramp(0, 3), {0, 1, kNaN, 3, 4, 5, 6, 7, 8, 9, 10}});
+  const auto reading = reading_of(plot, kBox, kStyle, fonts());
+  ASSERT_TRUE(reading);
+  EXPECT_TRUE(reading->is_of_time);
+  EXPECT_EQ(reading->unit, "rad/s");
+  const std::vector<Stroke> curves = strokes_of(sheet_of(plot), kOmegaRole.paint);
+  ASSERT_FALSE(curves.empty());
+  const Vec2 begin = curves.front().points.front(), end = curves.front().points.back();
+  EXPECT_NEAR(reading->frame.x0, begin.x(), 1e-9);
+  EXPECT_NEAR(reading->frame.x1, end.x(), 1e-9);
+  EXPECT_NEAR(reading->curves[0].y_px.front(), begin.y(), 1e-9);
+  EXPECT_NEAR(reading->curves[0].y_px.back(), end.y(), 1e-9);
+  EXPECT_EQ(reading->curves[0].y.back(), 3);
+  EXPECT_TRUE(std::isnan(reading->curves[1].y_px[2]));
+  const double middle = 0.5 * (reading->frame.x0 + reading->frame.x1);
+  EXPECT_NEAR(reading->x_at(middle), 5, 1e-9);
+  EXPECT_EQ(reading->nearest(middle + 3), 5U);
+  EXPECT_EQ(reading->x_at(kBox.x0 - 100), 0) << "not beyond its ends";
+  EXPECT_EQ(reading->x_at(kBox.x1 + 100), 10);
+  EXPECT_EQ(reading->nearest(kBox.x0 - 100), 0U);
+  EXPECT_EQ(reading->nearest(kBox.x1 + 100), 10U);
+}
+
+TEST(TimePlot, APathIsNotReadByTheTime) {
+  TimePlot plot = plot_of({ramp(0, 3)});
+  plot.x_label = "x";
+  ASSERT_TRUE(reading_of(plot, kBox, kStyle, fonts()));
+  EXPECT_FALSE(reading_of(plot, kBox, kStyle, fonts())->is_of_time);
+  plot.is_path = true;
+  EXPECT_FALSE(reading_of(plot, kBox, kStyle, fonts()));
+}
+
 }  // namespace
 }  // namespace polhode
