@@ -216,7 +216,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/determinant-second", [](const Now& s) { return Sides2(by_cofactors(s)[1], by_cofactors(s)[1]); }},
     {"euler-equations/determinant-third", [](const Now& s) { return Sides2(by_cofactors(s)[2], by_cofactors(s)[2]); }},
     {"euler-equations/determinant-cofactors", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
-    {"euler-equations/determinant-factored", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
     {"euler-equations/determinant-flipped", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
     {"euler-equations/determinant-xyz", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
     {"euler-equations/components-along-i", [](const Now& s) { return Sides2(euler_left(s, 0) * s.e(1), s.N()[0] * s.e(1)); }},
