@@ -36,7 +36,8 @@ void write(ImDrawList& list, ImVec2 at, const std::string& words, ImU32 ink, flo
 
 ImU32 color_of(const Color& color) { return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, 1}); }
 
-/// A line at the sample, what x is there above it, and on each curve a dot with its value beside it.
+/// A line at the sample, what x is there among the marks below it, and on each curve a dot with its value
+/// beside it.
 void draw_reading(const PlotReading& plot, double at_px, const ControlSizes& sizes) {
   const std::size_t i = plot.nearest(at_px);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -77,8 +78,8 @@ void draw_reading(const PlotReading& plot, double at_px, const ControlSizes& siz
   const float left =
       std::clamp(x - 0.5F * width, static_cast<float>(plot.frame.x0),
                  std::max(static_cast<float>(plot.frame.x0), static_cast<float>(plot.frame.x1) - width));
-  write(list, {left, static_cast<float>(plot.frame.y0) - 1.3F * em}, where, ImGui::GetColorU32(ImGuiCol_Text),
-        pad);
+  write(list, {left, static_cast<float>(plot.frame.y1) + 0.25F * em}, where,
+        ImGui::GetColorU32(ImGuiCol_Text), pad);
 }
 
 }  // namespace
