@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The two numbers that a page shows below an equation are those of its two sides: of all equations of all
 // lessons, against values that are computed here from the equation as it is printed, not from its claim.
-#include "base/angles.h"
 #include "lessons/claims/live_claims.h"
 #include "physics/body/euler.h"
 #include "render/scene/model/translation.h"
@@ -141,9 +140,7 @@ double L2_minus_2TI(const Now& s, int i) { return s.L().squaredNorm() - 2 * s.T(
 /// I_i (I_i − I_k) ω_i²: what |L|² − 2T I_k is the sum of.
 double part(const Now& s, int i, int k) { return s.I()[i] * (s.I()[i] - s.I()[k]) * s.w()[i] * s.w()[i]; }
 
-/// The symmetric top: the angle of a vector with its axis, the rate at which ω goes round on the body, L/I1,
-/// and the sum of two arrows.
-double lean(const Now& s, const Vec3& a_B) { return angle_between(s.e(3), a_B); }
+/// The symmetric top: the rate at which ω goes round on the body, L/I1, and the sum of two arrows.
 double lambda(const Now& s) { return (s.I()[2] - s.I()[0]) / s.I()[0] * s.w()[2]; }
 Vec3 wobble(const Now& s) { return s.L() / s.I()[0]; }
 Vec3 sum_of_two_arrows(const Now& s) { return wobble(s) + (1 - s.I()[2] / s.I()[0]) * s.w()[2] * s.e(3); }
@@ -289,8 +286,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"symmetric-top/wobble-rate", [](const Now& s) { return Sides2(wobble(s)[2], s.I()[2] / s.I()[0] * s.w()[2]); }},
     {"symmetric-top/rolls", [](const Now& s) {
        return Sides2(lambda(s) * s.e(3).cross(s.w()), wobble(s).cross(s.w())); }},
-    {"symmetric-top/outside", [](const Now& s) { return Sides2(angle_between(s.w(), s.L()), lean(s, s.L()) - lean(s, s.w())); }},
-    {"symmetric-top/inside", [](const Now& s) { return Sides2(angle_between(s.w(), s.L()), lean(s, s.w()) - lean(s, s.L())); }},
     {"symmetric-top/flattest", [](const Now& s) { return Sides2(s.I()[2], 2 * s.I()[0]); }},
     {"symmetric-top/flat-plate", [](const Now& s) { return Sides2(s.I()[2], 2 * s.I()[0]); }},
     {"symmetric-top/plate-rate", [](const Now& s) { return Sides2(wobble(s)[2], 2 * s.w()[2]); }},
