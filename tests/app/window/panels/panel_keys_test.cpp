@@ -43,11 +43,10 @@ class PanelKeys : public ScreenTest {
       ASSERT_TRUE(screen->draw(session, {.size = kSmall, .scale = 1, .seconds = 0.02}));
   }
 
-  /// In the middle of the lesson, of the time and of all that has two ends, with something changed by hand;
-  /// then the panel by its key.
-  void begin(const std::string& opened_by, bool presents) {
+  /// In the middle of the lesson, of the time and of all that has two ends, with something changed by hand.
+  /// Nothing is drawn: whatever has the keyboard keeps it.
+  void restore(Panel panel, bool presents) {
     session.set_presenting(false);
-    session.panel = Panel::none;
     session.preferences = {};
     session.preferences.reduced_motion = true;
     session.preferences.text_scale = 1.1;
@@ -61,7 +60,14 @@ class PanelKeys : public ScreenTest {
     ASSERT_TRUE(session.vary(0, 0.05));
     session.scrub_to(22);
     session.set_presenting(presents);
+    session.panel = panel;
     screen->requests() = {};
+    screen->tell("");
+  }
+
+  /// The panel is opened by its key.
+  void begin(const std::string& opened_by, bool presents) {
+    restore(Panel::none, presents);
     show(1);
     if (!opened_by.empty()) screen->press(session, opened_by);
     show(3);
@@ -112,22 +118,32 @@ TEST_F(PanelKeys, DoInEveryPanelWhatTheyDoOnThePage) {
       ++pressed;
       return is_done;
     };
+    begin("", presents);
     for (const CommandFacts& facts : all_commands())
       for (const std::string& key : keys_of(facts)) {
-        begin("", presents);
+        if (of_panels.contains(facts.command) || key.ends_with("Tab"))
+          begin("", presents);
+        else
+          restore(Panel::none, presents);
         EXPECT_TRUE(press(key)) << key << " is dead on the page";
         on_page[key] = seen();
+        if (of_panels.contains(facts.command) || key.ends_with("Tab")) begin("", presents);
       }
     for (const OpenPanel& open : kOpen) {
       // Some of them are enough there, where B is a black screen.
       const bool is_tried =
           open.panel == Panel::outline || open.panel == Panel::question || open.panel == Panel::help;
       if (presents && !is_tried) continue;
+      bool is_open = false;
       for (const CommandFacts& facts : all_commands())
         for (const std::string& key : keys_of(facts)) {
           const std::string where =
               fmt::format("{} beside {}{}", key, open.key, presents ? ", presented" : "");
-          begin(open.key, presents);
+          if (is_open)
+            restore(open.panel, presents);
+          else
+            begin(open.key, presents);
+          is_open = !of_panels.contains(facts.command) && !key.ends_with("Tab");
           ASSERT_EQ(session.panel, open.panel) << where;
           const std::string before = seen();
           const bool is_done = press(key);
@@ -148,7 +164,7 @@ TEST_F(PanelKeys, DoInEveryPanelWhatTheyDoOnThePage) {
         }
     }
   }
-  EXPECT_GT(pressed, 900);
+  EXPECT_GT(pressed, 800);
 }
 
 }  // namespace
