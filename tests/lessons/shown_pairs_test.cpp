@@ -313,9 +313,13 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
        return Sides2(s.ddt([](const Now& now) { return now.L()[2]; }), 0.0); }},
     {"heavy-top/spin-tempting", [](const Now& s) { return Sides2(s.star_w()[2], 0.0); }},
     {"heavy-top/LN-tempting", [](const Now& s) { return Sides2(s.L().dot(s.N()), 0.0); }},
+    {"heavy-top/omega-steady", [](const Now& s) {
+       return Sides2(s.w(), s.Omega() * s.z() + (s.w()[2] - s.Omega() * s.u()) * s.e(3)); }},
     {"heavy-top/L-steady", [](const Now& s) {
        const double upright = s.I()[0] * s.Omega();
        return Sides2(s.L(), upright * s.z() + (spin_momentum(s) - upright * s.u()) * s.e(3)); }},
+    {"heavy-top/compare", [](const Now& s) {
+       return Sides2(s.Omega() * s.z().cross(s.L()) - s.N(), (steady_left(s) - kWeightTimesArm_Nm) * s.z().cross(s.e(3))); }},
     {"heavy-top/condition", [](const Now& s) { return Sides2(steady_left(s), kWeightTimesArm_Nm); }},
     {"heavy-top/quadratic", [](const Now& s) { return Sides2(steady_left(s), kWeightTimesArm_Nm); }},
     {"heavy-top/exists", [](const Now& s) {
