@@ -347,7 +347,7 @@ TEST(ExportPages, HaveAllStepsOfAStageEachBesideItsFigure) {
   EXPECT_NE(alt.find("Figure: ", first + 1), alt.npos) << "of each step: " << alt;
 }
 
-TEST(ExportPages, TheLastOfAStageTellsItsAnswersInItsAlternativeTextToo) {
+TEST(ExportPages, TheFirstOfAStageTellsTheAnswersToTheStageBeforeInItsAlternativeTextToo) {
   const ScratchFolder scratch;
   const std::filesystem::path lesson = scratch / "asked.md";
   write_text(lesson,
@@ -358,9 +358,10 @@ TEST(ExportPages, TheLastOfAStageTellsItsAnswersInItsAlternativeTextToo) {
       polhode({"export", lesson.string(), "-o", scratch / "out", "--size", "640x400", "--profile", "page"});
   EXPECT_EQ(run.code, 0) << run.err;
   const Json files = manifest_in(scratch / "out")["files"];
-  EXPECT_THAT(files[0]["alt"].get<std::string>(), testing::EndsWith("Answers: step 2, 12.5 s."));
-  EXPECT_THAT(files.back()["alt"].get<std::string>(), testing::Not(HasSubstr("Answers")))
-      << "nothing was asked";
+  EXPECT_THAT(files[0]["alt"].get<std::string>(), testing::Not(HasSubstr("Answers")))
+      << "nobody sees them beside their questions";
+  EXPECT_THAT(files.back()["alt"].get<std::string>(),
+              testing::EndsWith("Answers to stage 1: step 2, 12.5 s."));
 }
 
 TEST(ExportPages, OfSeveralStepsAreNoSlidesAndNoFigures) {

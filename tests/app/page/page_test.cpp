@@ -64,9 +64,9 @@ std::vector<const PlacedType*> column_of(const Page& page) {
   std::vector<const PlacedType*> texts;
   for (const PlacedType& text : page.sheet.texts) {
     const PixelBox begin{text.at.x(), text.at.y(), text.at.x() + 1, text.at.y() + 1};
-    if (page.figure.width() == 0.0 ||
-        (page.meters.overlap(begin) == 0.0 && page.figure.grown(-0.5).overlap(begin) == 0.0))
-      texts.push_back(&text);
+    const bool is_in_figure =
+        page.figure.width() > 0.0 && page.figure.grown(-0.5).overlap(begin) > 0.0;  // plots may stand alone
+    if (!is_in_figure && page.meters.overlap(begin) == 0.0) texts.push_back(&text);
   }
   return texts;
 }

@@ -59,7 +59,7 @@ TEST(AnswerText, AnswersAreFormulasChoicesAndNumbers) {
   EXPECT_EQ(first_line(formula), "$\\omega_2\\,\\omega_3\\,(I_3 - I_2)$, typed `w2*w3*(I3 - I2)`.");
   EXPECT_NE(formula.find("Without it $\\omega_1$ would change"), formula.npos) << formula;
   EXPECT_EQ(first_line(written(answer_text(lesson, asked(lesson, "apart")))),
-            "$\\vec\\omega = (1.5,\\ 0,\\ 0.45)\\,\\text{rad/s}$.");
+            "$\\vec\\omega = (1.15,\\ 0,\\ 0.34)\\,\\text{rad/s}$.");
   const Ask& choice = asked(lesson, "no-torque");
   const auto right = static_cast<std::size_t>(choice.answers.front() - 1);
   EXPECT_EQ(written(answer_text(lesson, choice)).substr(0, 6),
