@@ -84,6 +84,8 @@ std::string FigureHand::drag(LessonSession& session, const std::vector<Inset>& i
   off_ += grabbed->offset;
   SceneEdits edits = session.edits();
   edits.w0_B = grabbed->w0_B;
+  // A method that knows steady rotations alone gives way to the one that serves any.
+  if (session.model()->scene.motion.method == Method::uniform) edits.motion = MotionSpec{};
   if (grabbed->attitude) edits.attitude = grabbed->attitude;
   edits.camera = grabbed->camera;
   const Status made = session.set_edits(edits);

@@ -224,8 +224,11 @@ std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const 
   const double two_T = 2.0 * kinetic_energy(I, model.scene.torque.empty() ? model.scene.w0_B : now.w_B);
   if (!(two_T > 0.0) || !std::isfinite(two_T)) return std::nullopt;
   const bool holds_L = !model.scene.attitude || std::holds_alternative<LPoints>(*model.scene.attitude);
+  const std::vector<const SceneModel*> shown = shown_models(model);  // they go along with it
+  const bool has_plane = std::any_of(
+      shown.begin(), shown.end(), [](const SceneModel* one) { return one->drawn.contains(Overlay::plane); });
   const bool has_to =
-      keeps_L || model.drawn.contains(Overlay::plane) ||
+      keeps_L || has_plane ||
       std::find(model.scene.views.begin(), model.scene.views.end(), View::space) == model.scene.views.end();
   const std::optional<AttitudeSpec> attitude =
       holds_L && has_to ? std::nullopt : std::optional<AttitudeSpec>(now.q_SB);

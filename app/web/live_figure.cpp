@@ -242,10 +242,7 @@ Result<Page> LiveFigure::compose(const Key& key) {
                       .runs = key.what == Picture::slide};
   if (key.what == Picture::figure) {
     Page page = compose_picture(request, **type);
-    for (Inset& inset : page.insets) {
-      inset.resolution = key.resolution;
-      inset.figure.caption_px *= key.resolution;  // enlarged again
-    }
+    for (Inset& inset : page.insets) inset.resolution = key.resolution;
     return page;
   }
   return compose_slide(request, key);
@@ -270,10 +267,7 @@ Result<Page> LiveFigure::compose_slide(const PageRequest& asked, const Key& key)
   }
   request.slide_type = &slide_->type;
   Page page = compose_page(request, slide_->text, type);
-  for (Inset& inset : page.insets) {
-    inset.resolution = key.resolution;
-    inset.figure.caption_px *= key.resolution;  // enlarged again
-  }
+  for (Inset& inset : page.insets) inset.resolution = key.resolution;
   return page;
 }
 

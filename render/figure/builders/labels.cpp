@@ -9,6 +9,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <optional>
+#include <vector>
 
 namespace polhode::builders {
 namespace {
@@ -37,6 +40,26 @@ Vec3 furthest(const std::vector<Vec3>& points, const Camera& camera, const Vec3&
   const auto score = [&](const Vec3& p) { return p.dot(direction) + 0.6 * std::min(0.0, p.dot(to_eye)); };
   return *std::max_element(points.begin(), points.end(),
                            [&](const Vec3& a, const Vec3& b) { return score(a) < score(b); });
+}
+
+/// Whether a point is seen in a picture that is `most` times as wide as high.
+bool is_in_picture(const Camera& camera, const Vec3& point, double most) {
+  const auto at = project(camera, point, 1.0, 1.0);
+  return at && std::abs(at->y() - 0.5) < 0.5 && std::abs(at->x() - 0.5) < 0.5 * most;
+}
+
+/// As `furthest`; of a curve that leaves the picture there, as that of a method that gains energy does, among
+/// its points well inside. Nothing if it has none.
+std::optional<Vec3> furthest_in_picture(const std::vector<Vec3>& points, const Camera& camera,
+                                        const Vec3& direction) {
+  constexpr double kWidest = 2.0, kInside = 0.9;
+  const Vec3 end = furthest(points, camera, direction);
+  if (is_in_picture(camera, end, kWidest)) return end;
+  std::vector<Vec3> seen;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(seen),
+               [&](const Vec3& p) { return is_in_picture(camera, p, kInside); });
+  if (seen.empty()) return std::nullopt;
+  return furthest(seen, camera, direction);
 }
 
 void label_triads(const Snapshot& m, DrawList& list) {
@@ -87,8 +110,10 @@ void label_curves(const Snapshot& m, const Camera& camera, DrawList& list) {
   const Eigen::Vector2d right(1.0, 0.25), left(-1.0, 0.15), low_right(1.0, -0.6);
   const auto name = [&](const Color& curve, const char* text, const Eigen::Vector2d& end, const Color& ink) {
     const Eigen::Vector2d side(end.x(), end.y() < 0.0 ? -0.8 : 0.8);
-    if (const Tube* tube = find_tube(list, curve))
-      add_text(list, text, furthest(tube->points, camera, in_space(camera, end)), ink, side);
+    const Tube* tube = find_tube(list, curve);
+    if (tube == nullptr) return;
+    if (const auto at = furthest_in_picture(tube->points, camera, in_space(camera, end)))
+      add_text(list, text, *at, ink, side);
   };
   if (m.shows(Overlay::polhode))
     name(kPolhodeRole.paint, m.L_scale > 0.0 ? "path of $\\vec L$" : "polhode", right, kPolhodeRole.ink);

@@ -291,6 +291,23 @@ TEST(FigureHand, GivesNothingWithoutOmega) {
   EXPECT_FALSE(omega_at(rest, 0, inset_of(rest, 0)[0], 0, 900, 300));
 }
 
+// 2026-11-27: the plane beside it vanished, for it is level only where L points down.
+TEST(FigureHand, LeavesLWhereAPlaneBesideItNeedsIt) {
+  Scene scene = scene_of(
+      {"", PrincipalMoments(1, 1.75, 2.5), {O::omega, O::shape}, {View::space}, LPoints::down, 0.6, 0.35});
+  const auto attitude = [&] {
+    const SceneModel model = make_model(scene);
+    const auto insets = inset_of(model, 0.4);
+    const TipOnScreen tip = omega_tips(model, 0.4, insets).at(0);
+    return omega_at(model, 0.4, insets[0], 0, tip.x + 3, tip.y)->attitude;
+  };
+  EXPECT_TRUE(attitude()) << "alone it goes on from how it is";
+  Scene other = scene;
+  other.show = {O::omega, O::energy_ellipsoid, O::plane, O::L};
+  scene.beside = {other};
+  EXPECT_FALSE(attitude());
+}
+
 TEST(FigureHand, FindsTheTipInEveryPane) {
   const Scene scene = scene_of({"",
                                 PrincipalMoments(1, 1.75, 2.5),

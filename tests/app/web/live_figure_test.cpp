@@ -278,6 +278,35 @@ TEST(LiveFigure, TheTipOfOmegaGoesWithTheHandAndKeepsItsEnergy) {
   EXPECT_FALSE(figure.undo());
 }
 
+// 2026-11-27: the tip was taken and did not move, for "uniform" serves no other ω.
+TEST(LiveFigure, AHandOnASteadyRotationGetsTheMotionThatAnyOmegaHas) {
+  LiveFigure figure;
+  figure.begin_call();
+  const Status opened = figure.open_scene(
+      "body = \"textbook\"\nomega = [0, 0, 2]\nmotion = \"uniform\"\nshow = [\"shape\", \"omega\"]\n", "");
+  ASSERT_TRUE(opened) << opened.error();
+  ASSERT_TRUE(figure.show(1, 1));
+  ASSERT_TRUE(figure.lay_out(kSize, LiveFigure::Picture::figure, 1));
+  const Vec2 from = tip_of(figure);
+  ASSERT_EQ(figure.point_down(from, 12), FigureHand::On::omega);
+  figure.point_move(from + Vec2(25, 5), 12);
+  EXPECT_EQ(figure.refused_drag(), "");
+  EXPECT_EQ(figure.model()->motion->method(), name_of(Method::exact));
+  EXPECT_GT(figure.model()->scene.w0_B.head<2>().norm(), 0.1);
+}
+
+// 2026-11-27: names were half as large while a slow machine drew half of the pixels.
+TEST(LiveFigure, ItsNamesKeepTheirSizeWhileItIsDrawnByFewerPixels) {
+  LiveFigure figure;
+  open(figure);
+  for (const LiveFigure::Picture what : {LiveFigure::Picture::figure, LiveFigure::Picture::slide}) {
+    ASSERT_TRUE(figure.lay_out(kSize, what, 1));
+    const double size = figure.insets().at(0).figure.caption_px;
+    ASSERT_TRUE(figure.lay_out(kSize, what, 0.5));
+    EXPECT_EQ(figure.insets().at(0).figure.caption_px, size);
+  }
+}
+
 TEST(LiveFigure, ADragBesideItTurnsTheCameraAsInTheWindow) {
   LiveFigure figure;
   open(figure);

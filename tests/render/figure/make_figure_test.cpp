@@ -205,6 +205,25 @@ TEST(Figure, AMethodThatDoesNotKeepTheEnergyLeavesTheSurfaces) {  // 2026-11-22:
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(later.ellipsoids[i].semi_axes, start.ellipsoids[i].semi_axes);
 }
 
+// 2026-11-27: the name stood in a corner, and its leader pointed out of the picture.
+TEST(Figure, ACurveThatLeavesThePictureIsNamedWhereItIsSeen) {
+  Scene scene = poinsot_scene();
+  scene.show = {O::omega, O::plane, O::L, O::herpolhode, O::labels};
+  scene.motion = {.method = Method::explicit_euler, .step_s = 0.1};
+  scene.duration_s = 60;
+  const SceneModel model = make_model(scene);
+  const Pane pane = make_figure(model, 0.5, 1.0).panes[0];
+  int names = 0;
+  for (const Label& label : pane.list.labels) {
+    if (label.text != "herpolhode") continue;
+    ++names;
+    const auto at = project(pane.camera, label.anchor, 1.0, 1.0);
+    ASSERT_TRUE(at);
+    EXPECT_TRUE(at->x() > 0 && at->x() < 1 && at->y() > 0 && at->y() < 1) << at->transpose();
+  }
+  EXPECT_EQ(names, 1);
+}
+
 TEST(Figure, ATrailOfAComputedMotionBeginsWithIt) {  // 2026-11-23: it showed what the method does backwards
   Scene scene = poinsot_scene();
   scene.views = {View::body};
