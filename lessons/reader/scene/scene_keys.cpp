@@ -676,7 +676,8 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        Row::Speaks::of_all},
       {{"from",
         R"(the formula that the slide recalls at its foot, "from before", and the page to read at its top: `"EQUATION"` of this stage, `"STAGE/EQUATION"`, or `"none"`; of this step alone)",
-        "of slides the last formula of the stage's earlier steps; of pages to read none, for it stands on a page before"},
+        "of slides the last formula of the stage's earlier steps; of pages to read none, for it stands on a "
+        "page before"},
        &SceneKeys::from,
        [](const Scene&) { return std::string(); },
        Row::Speaks::of_all},
