@@ -89,9 +89,11 @@ Json json_of_attitude(const SceneEdits& edits) {
   return q_SB ? Json{q_SB->w(), q_SB->x(), q_SB->y(), q_SB->z()} : Json(nullptr);
 }
 
-/// Whether anything is there to be turned: a diagram is flat.
+/// Whether anything is there to be turned: a diagram is flat, and so are plots that stand alone.
 bool is_in_space(const SceneModel& model) {
-  const auto is = [](const SceneModel& one) { return shows_space(one.drawn, one.needs.marks); };
+  const auto is = [](const SceneModel& one) {
+    return shows_space(one.drawn, one.needs.marks) && !shows_nothing(one.drawn, one.needs.marks);
+  };
   return is(model) || std::any_of(model.beside.begin(), model.beside.end(), is);
 }
 

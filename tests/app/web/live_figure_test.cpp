@@ -109,6 +109,9 @@ TEST(LiveFigure, KnowsWhetherItIsInSpace) {
   ASSERT_TRUE(figure.open_scene(
       "body = \"textbook\"\nomega = [0.1, 3, 0.1]\nshow = [\"tensor-bars\", \"shape\"]", ""));
   EXPECT_EQ(state_of(figure).at("in_space"), true);
+  ASSERT_TRUE(figure.open_scene(
+      "body = \"textbook\"\nomega = [0.1, 3, 0.1]\nshow = []\nmeters = [{ plot = [\"T\"] }]", ""));
+  EXPECT_EQ(state_of(figure).at("in_space"), false) << "plots alone";
 }
 
 // As the lesson has it, it stands for L's place, which goes with ω; stated, it is a place of its own.
