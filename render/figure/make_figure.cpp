@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace polhode {
 namespace builders {
@@ -310,8 +311,12 @@ TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
   if (frame_needs_motion(trial_.scene)) {
     trial_.scene.w0_B = kept_B;
     trial_.scene.beside.clear();
-    const SceneModel held = make_model(trial_.scene);
-    camera_ = frame_of(builders::snapshot_at(held, 0.0, trial_.scene.views[pane]));
+    try {
+      const SceneModel held = make_model(trial_.scene);
+      camera_ = frame_of(builders::snapshot_at(held, 0.0, trial_.scene.views[pane]));
+    } catch (const std::domain_error&) {  // no motion begins with the ω that a file says it is kept from
+      camera_ = frame_of(builders::snapshot_at(model, 0.0, trial_.scene.views[pane]));
+    }
   } else {
     const Beginning held = beginning_of(trial_.scene, kept_B);
     camera_ = frame_of(builders::snapshot_in(held.model, 0.0, trial_.scene.views[pane], held.state));

@@ -27,7 +27,6 @@ CameraSpec held_by_hand(const Scene& scene);
 /// Tries ω after ω without making models: what drawn_omega gives for the scene's model at t = 0 with this ω,
 /// the camera held by hand and, if they are given, this attitude and this camera. About 1 µs each. It is made
 /// at the cost of a model where only the motion knows what the frame is.
-/// @throws std::domain_error as make_model does, there
 class TrialOmega {
  public:
   TrialOmega(const SceneModel& model, std::size_t pane, double aspect,

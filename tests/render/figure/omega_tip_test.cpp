@@ -82,6 +82,18 @@ TEST(OmegaTip, OfATrialIsThatOfTheModel) {
     }
 }
 
+// A file may say that a frame is kept from an ω that the scene's method cannot serve.
+TEST(OmegaTip, OfATrialWhoseKeptOmegaCannotBeHasTheFrameOfTheScene) {
+  Scene scene = scene_with({O::omega, O::shape}, {View::space});
+  scene.w0_B = Vec3(0, 0, 2);
+  scene.motion = {.method = Method::uniform};
+  scene.camera.holds_still = true;
+  scene.camera.fitted = CameraFit{0.6, 0.35, Vec3(1, 2, 4)};
+  const SceneModel model = make_model(scene);
+  EXPECT_EQ(model.framed, nullptr);
+  EXPECT_TRUE(TrialOmega(model, 0, 1.0).at(Vec3(0, 1, 1)));
+}
+
 TEST(OmegaTip, IsNotWhereNoOmegaIsDrawn) {
   const SceneModel model = make_model(scene_with({O::omega}, {View::body}));
   EXPECT_FALSE(drawn_omega(model, 0, 1, 1.0));
