@@ -151,12 +151,13 @@ void Framebuffer::bind() const {
   gl_->Viewport(0, 0, size_.width, size_.height);
 }
 
-void Framebuffer::resolve() const {
+void Framebuffer::resolve(const PixelArea& part) const {
   if (names_.drawn == names_.resolved) return;
   gl_->Disable(GL_SCISSOR_TEST);
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, names_.drawn);
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, names_.resolved);
-  gl_->BlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height, GL_COLOR_BUFFER_BIT,
+  const int right = part.x + part.width, top = part.y + part.height;
+  gl_->BlitFramebuffer(part.x, part.y, right, top, part.x, part.y, right, top, GL_COLOR_BUFFER_BIT,
                        GL_NEAREST);
 }
 

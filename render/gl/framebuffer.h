@@ -10,6 +10,12 @@
 
 namespace polhode {
 
+/// A part of a picture, in px.
+struct PixelArea {
+  int x = 0, y = 0;  ///< of the lower left corner
+  int width = 0, height = 0;
+};
+
 /// Owns the GL objects; `gl` must outlive it, and its context be current wherever it is used or destroyed.
 /// Memory: 4 (1 + 2 samples) bytes a pixel, or 8 without multisampling.
 class Framebuffer {
@@ -28,7 +34,8 @@ class Framebuffer {
   void bind() const;
   /// Averages the samples into the texture (nothing to do without multisampling). Disables the scissor test,
   /// which would cut the copy, and binds other framebuffers: bind() again before drawing more.
-  void resolve() const;
+  void resolve() const { resolve({0, 0, size_.width, size_.height}); }
+  void resolve(const PixelArea& part) const;
   /// Copies the resolved pixels into the texture of another one, whose lower left corner of them lies at (x,
   /// y); what falls outside is left out.
   void copy_to(const Framebuffer& other, int x, int y) const { copy_to(other, x, y, size_); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/passes/figure_pass.h"
 
+#include "render/gl/passes/cover.h"
 #include "render/gl/passes/floats.h"
 #include "render/gl/passes/geometry.h"
 #include "render/gl/shader_sources.h"
@@ -72,7 +73,7 @@ bool covers_all(const Figure& figure, const Background& background) {
 struct FigurePass::Shown {
   const Pane& pane;
   const Background& background;
-  std::array<int, 4> viewport;  ///< x, y, width, height
+  PixelArea viewport;
   Viewpoint at;
   double fineness;
 
@@ -167,10 +168,10 @@ FigurePass::Shown FigurePass::show(const Pane& pane, const Framebuffer& target, 
   const int x1 = static_cast<int>(std::lround((pane.x + pane.width) * width));
   const int y0 = static_cast<int>(std::lround((1.0 - pane.y - pane.height) * height));
   const int y1 = static_cast<int>(std::lround((1.0 - pane.y) * height));
-  const std::array<int, 4> viewport = {x0, y0, std::max(1, x1 - x0), std::max(1, y1 - y0)};
-  gl_.Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
-  const double aspect = static_cast<double>(viewport[2]) / viewport[3];
-  return {pane, background, viewport, viewpoint_of(pane.camera, aspect, viewport[3]),
+  const PixelArea viewport = {x0, y0, std::max(1, x1 - x0), std::max(1, y1 - y0)};
+  gl_.Viewport(viewport.x, viewport.y, viewport.width, viewport.height);
+  const double aspect = static_cast<double>(viewport.width) / viewport.height;
+  return {pane, background, viewport, viewpoint_of(pane.camera, aspect, viewport.height),
           static_cast<double>(fineness)};
 }
 
@@ -183,16 +184,26 @@ void FigurePass::clear(const Background& background, GLbitfield buffers) const {
 
 void FigurePass::draw(const Figure& figure, const Background& background, int fineness,
                       const Framebuffer& target, const Framebuffer* layer) {
-  if (layer) draw_layer(figure, background, fineness, *layer);
+  std::vector<std::vector<PixelArea>> layered;  // of each pane
+  if (layer) {
+    layer->bind();
+    for (const Pane& pane : figure.panes) {
+      const Shown shown = show(pane, *layer, background, fineness);
+      layered.push_back(cover_of(pane.list, shown.at, shown.viewport).boxes());
+      draw_layer(shown, layered.back());
+    }
+    for (const auto& parts : layered)
+      for (const PixelArea& part : parts) layer->resolve(part);
+  }
   target.bind();
-  clear(background,
-        covers_all(figure, background) ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  for (const Pane& pane : figure.panes) {
-    const Shown shown = show(pane, target, background, fineness);
+  const GLbitfield depth = layer ? 0 : GL_DEPTH_BUFFER_BIT;  // a layer has its own
+  clear(background, covers_all(figure, background) ? depth : GL_COLOR_BUFFER_BIT | depth);
+  for (std::size_t i = 0; i < figure.panes.size(); ++i) {
+    const Shown shown = show(figure.panes[i], target, background, fineness);
     draw_surroundings(shown);
     if (layer) {
       draw_glass(shown, programs_.far_glass);
-      lay_over(*layer, 0, 0);
+      lay_over(*layer, layered[i]);
     } else {
       draw_glass(shown, programs_.glass);
       draw_strokes(shown, {shown.from_below() ? 1.0F : shown.sunk(), 1.0F});
@@ -284,8 +295,8 @@ void FigurePass::set_floor(const Program& program, const Shown& shown) {
   set_window(program, shown);
   const Color sky = sky_of(shown.background);
   program.set("u_sky", sky.r * sky.a, sky.g * sky.a, sky.b * sky.a, sky.a);
-  program.set("u_step", static_cast<float>(2.0 * shown.fineness / shown.viewport[2]),
-              static_cast<float>(2.0 * shown.fineness / shown.viewport[3]));
+  program.set("u_step", static_cast<float>(2.0 * shown.fineness / shown.viewport.width),
+              static_cast<float>(2.0 * shown.fineness / shown.viewport.height));
   set(program, "u_ray", shown.at.ray);
   set(program, "u_eye", shown.at.eye);
   set(program, "u_floor_z", floor.z);
@@ -414,12 +425,24 @@ const Program& FigurePass::program_of(Strokes::Kind kind, std::size_t glasses) c
   return programs_.ball[glasses];
 }
 
-void FigurePass::draw_layer(const Figure& figure, const Background& background, int fineness,
-                            const Framebuffer& layer) {
-  layer.bind();
-  clear({Background::Kind::transparent, {}}, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  for (const Pane& pane : figure.panes) draw_solids(show(pane, layer, background, fineness));
-  layer.resolve();
+/// On those parts alone: the rest is as it was, and nobody looks at it.
+void FigurePass::draw_layer(const Shown& shown, const std::vector<PixelArea>& parts) {
+  gl_.Enable(GL_SCISSOR_TEST);
+  for (const PixelArea& part : parts) {
+    gl_.Scissor(part.x, part.y, part.width, part.height);
+    clear({Background::Kind::transparent, {}}, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
+  gl_.Disable(GL_SCISSOR_TEST);
+  draw_solids(shown);
+}
+
+void FigurePass::lay_over(const Framebuffer& layer, const std::vector<PixelArea>& parts) const {
+  gl_.Enable(GL_SCISSOR_TEST);
+  for (const PixelArea& part : parts) {
+    gl_.Scissor(part.x, part.y, part.width, part.height);
+    lay_over(layer, 0, 0);
+  }
+  gl_.Disable(GL_SCISSOR_TEST);
 }
 
 void FigurePass::draw_near_glass(const Shown& shown) {

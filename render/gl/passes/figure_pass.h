@@ -17,6 +17,7 @@
 #include "render/gl/stream.h"
 
 #include <memory>
+#include <vector>
 
 namespace polhode {
 
@@ -55,7 +56,8 @@ class FigurePass {
   FigurePass(const Gl& gl, Programs programs);
 
   Shown show(const Pane& pane, const Framebuffer& target, const Background& background, int fineness) const;
-  void draw_layer(const Figure& figure, const Background& background, int fineness, const Framebuffer& layer);
+  void draw_layer(const Shown& shown, const std::vector<PixelArea>& parts);
+  void lay_over(const Framebuffer& layer, const std::vector<PixelArea>& parts) const;
   void clear(const Background& background, GLbitfield buffers) const;
   void draw_surroundings(const Shown& shown);
   void draw_walls(const Shown& shown);
