@@ -78,7 +78,7 @@ std::set<double> factors_in(const MathNode& node) {
 
 bool has_empty_script(const MathNode& node) {
   if (node.kind == MathNode::Kind::scripts)
-    for (const std::size_t script : {1, 2})
+    for (const std::size_t script : {std::size_t{1}, std::size_t{2}})
       if (!node.children[script].absent()) {
         const MathNode& inner = without_groups(node.children[script]);
         if (inner.kind == MathNode::Kind::row && inner.children.empty()) return true;
