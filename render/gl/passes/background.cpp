@@ -22,6 +22,7 @@ std::optional<Background> background_from(std::string_view text) {
   if (text == "paper") return Background{Kind::paper, {}};
   if (text == "white") return Background{Kind::white, {}};
   if (text == "transparent") return Background{Kind::transparent, {}};
+  if (text == "transparent-dark") return Background{Kind::transparent, {}, true};
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
   const int r = hex_pair(text.substr(1, 2)), g = hex_pair(text.substr(3, 2)), b = hex_pair(text.substr(5, 2));
   if (r < 0 || g < 0 || b < 0) return std::nullopt;
@@ -45,6 +46,7 @@ Color sky_of(const Background& background) {
 
 Color halo_of(const Background& background) {
   if (background.kind == Background::Kind::studio) return color_from_hex(0xF4F5F7, 0.88F);
+  if (background.on_dark) return {kDarkGround.r, kDarkGround.g, kDarkGround.b, 0.85F};
   const Color sky = sky_of(background);
   return sky.a > 0.0F ? Color{sky.r, sky.g, sky.b, 0.9F} : color_from_hex(0xFFFFFF, 0.85F);
 }

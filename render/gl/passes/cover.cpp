@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 namespace polhode {
@@ -96,16 +95,10 @@ void add_mesh(const Mesh& mesh, const Projected& projected, Cover& cover) {
 }
 
 void add_glass(const GlassEllipsoid& e, const Viewpoint& at, const Projected& projected, Cover& cover) {
-  const OutlineEllipse outline = outline_ellipse(e, at.view_projection);
-  constexpr int kCorners = 24;
-  const double beyond = 1.0 / std::cos(std::numbers::pi / kCorners);  // the polygon is around the ellipse
-  const auto corner = [&](int i) -> Eigen::Vector2d {
-    const double turn = 2.0 * std::numbers::pi * i / kCorners;
-    return projected.pixels(outline.center +
-                            outline.axes * (beyond * Eigen::Vector2d(std::cos(turn), std::sin(turn))));
-  };
-  for (int i = 0; i < kCorners; ++i)
-    cover.add({projected.pixels(outline.center), corner(i), corner(i + 1)}, kRounding);
+  const std::vector<Eigen::Vector2d> outline = outline_polygon(e, at.view_projection);
+  for (std::size_t i = 2; i < outline.size(); ++i)
+    cover.add({projected.pixels(outline[0]), projected.pixels(outline[i - 1]), projected.pixels(outline[i])},
+              kRounding);
 }
 
 }  // namespace

@@ -16,7 +16,6 @@ namespace {
 constexpr double kNowhere = -1e6;  // a height, scene units; finite when counted in pixels
 // What opaque things keep below the floor, seen from above. A dark floor leaves less to be seen of them.
 constexpr float kSunk = 0.42F, kSunkInDark = 0.85F;
-constexpr int kCornersOfOutline = 20;    // a hundredth more than the ellipse; a box has a quarter more
 constexpr std::size_t kMostGlasses = 2;  // as in behind_glass.glsl
 
 void set(const Program& program, const std::string& name, const Mat4& m) {
@@ -98,6 +97,7 @@ FigurePass::FigurePass(const Gl& gl, Programs programs)
       meshes_(gl, {3, 3, 4}),
       lines_(gl, {3, 3, 4, 4, 2, 3, 1}),
       solids_(gl, {2, 3, 3, 4, 2}),
+      outlines_(gl, {2}),
       nothing_(gl, {}) {}
 
 Result<std::unique_ptr<FigurePass>> FigurePass::create(const Gl& gl) {
@@ -348,13 +348,13 @@ void FigurePass::draw_glass(const Shown& shown, const Program& program) {
   set(program, "u_fineness", shown.fineness);
   for (const GlassEllipsoid& e : shown.pane.list.ellipsoids) {
     set_glass(program, "u_glass", "u_to_ball", e, shown.at);
-    const OutlineEllipse outline = outline_ellipse(e, shown.at.view_projection);
-    const Eigen::Vector2f center = outline.center.cast<float>();
-    const Eigen::Matrix2f axes = outline.axes.cast<float>();
-    program.set("u_center", center.x(), center.y());
-    program.set_array("u_axes", 2, std::span<const float, 4>(axes.data(), 4));
-    program.set("u_corners", static_cast<float>(kCornersOfOutline));
-    nothing_.draw_without_vertices(GL_TRIANGLE_FAN, kCornersOfOutline);
+    Geometry<Eigen::Vector2f> fan;
+    for (const Eigen::Vector2d& corner : outline_polygon(e, shown.at.view_projection)) {
+      fan.vertices.push_back(corner.cast<float>());
+      const auto last = static_cast<std::uint32_t>(fan.vertices.size() - 1);
+      if (last >= 2) fan.indices.insert(fan.indices.end(), {0U, last - 1, last});
+    }
+    outlines_.draw(fan);
   }
 }
 

@@ -76,7 +76,7 @@ class FigurePass {
 
   const Gl& gl_;
   Programs programs_;
-  VertexStream tubes_, meshes_, lines_, solids_, nothing_;
+  VertexStream tubes_, meshes_, lines_, solids_, outlines_, nothing_;
 };
 
 }  // namespace polhode

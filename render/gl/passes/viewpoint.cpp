@@ -142,6 +142,40 @@ OutlineEllipse outline_ellipse(const GlassEllipsoid& e, const Mat4& view_project
   return {found->first, axes.eigenvectors() * half.asDiagonal()};
 }
 
+namespace {
+
+/// Sutherland and Hodgman, Reentrant polygon clipping, Comm. ACM 17 (1974) 32, for one edge of the screen.
+/// @param axis 0 or 1, of which sign · coordinate ≤ 1 is kept
+std::vector<Eigen::Vector2d> cut(const std::vector<Eigen::Vector2d>& polygon, int axis, double sign) {
+  std::vector<Eigen::Vector2d> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double outside_a = sign * a[axis] - 1.0, outside_b = sign * b[axis] - 1.0;
+    if (outside_a <= 0.0) kept.push_back(a);
+    if ((outside_a <= 0.0) == (outside_b <= 0.0)) continue;
+    Eigen::Vector2d point = a + outside_a / (outside_a - outside_b) * (b - a);
+    point[axis] = sign;  // no rounding beyond the edge
+    kept.push_back(point);
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> outline_polygon(const GlassEllipsoid& e, const Mat4& view_projection) {
+  constexpr int kCorners = 20;
+  constexpr double kCorner = 2.0 * std::numbers::pi / kCorners;
+  const OutlineEllipse ellipse = outline_ellipse(e, view_projection);
+  std::vector<Eigen::Vector2d> polygon;
+  for (int i = 0; i < kCorners; ++i)
+    polygon.emplace_back(ellipse.center + ellipse.axes *
+                                              Eigen::Vector2d(std::cos(kCorner * i), std::sin(kCorner * i)) /
+                                              std::cos(0.5 * kCorner));
+  for (const int axis : {0, 1})
+    for (const double sign : {1.0, -1.0}) polygon = cut(polygon, axis, sign);
+  return polygon;
+}
+
 ClipBox floor_box(const Viewpoint& at, double floor_z) {
   const bool from_above = at.eye.z() > floor_z;
   const Vec3 away = -at.eye.cwiseProduct(Vec3(1, 1, 0));

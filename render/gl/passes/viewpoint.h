@@ -51,6 +51,12 @@ struct OutlineEllipse {
 };
 OutlineEllipse outline_ellipse(const GlassEllipsoid& ellipsoid, const Mat4& view_projection);
 
+/// A convex polygon around that ellipse, a hundredth larger (a box would be a quarter larger), cut at the
+/// edges of the screen; empty beside it. OpenGL is left nothing to clip: where it does, Mesa's software
+/// rasterisers (22.3, draw_pipe_clip.c) interpolate `noperspective` outputs along edges that are nearly
+/// upright from a difference of x that is rounding alone.
+std::vector<Eigen::Vector2d> outline_polygon(const GlassEllipsoid& ellipsoid, const Mat4& view_projection);
+
 /// Floors fade out at this distance from the middle of the view.
 inline constexpr double kFloorFades = 1.6, kFloorEnds = 7.5;
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A polygon around the outline of a glass ellipsoid, with the rays through it. What is the same in all pixels is flat,
 // as in floor.vert.
-uniform vec2 u_center;    // of the outline in clip space, ...
-uniform vec2 u_axes[2];   // ... and its half-axes
-uniform float u_corners;  // of the polygon
-uniform mat4 u_ray;       // clip (x, y, 1, 1) -> direction in the view's frame
-uniform vec3 u_light;     // unit, towards the key light
+layout(location = 0) in vec2 a_clip;  // nothing of it beyond the screen (outline_polygon)
+uniform mat4 u_ray;    // clip (x, y, 1, 1) -> direction in the view's frame
+uniform vec3 u_light;  // unit, towards the key light
 uniform mat3 u_to_ball;
 uniform Glass u_glass;
 uniform float u_fineness;
@@ -19,10 +17,8 @@ flat out vec3 v_light;
 flat out vec3 v_tint;
 flat out vec2 v_graticule_fineness;
 void main() {
-  float corner = 6.2831853 / u_corners, turn = corner * float(gl_VertexID);
-  vec2 clip = u_center + (cos(turn) * u_axes[0] + sin(turn) * u_axes[1]) / cos(0.5 * corner);
-  gl_Position = vec4(clip, 0.0, 1.0);
-  v_ray = (u_ray * vec4(clip, 1.0, 1.0)).xyz;
+  gl_Position = vec4(a_clip, 0.0, 1.0);
+  v_ray = (u_ray * vec4(a_clip, 1.0, 1.0)).xyz;
   v_towards = u_to_ball * v_ray;
   v_to_light = dot(v_ray, u_light);
   v_eye = u_glass.eye;

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <stdexcept>
 
 namespace polhode {
@@ -264,6 +265,36 @@ TEST(FigurePass, AnArrowBehindAnotherDoesNotShowThroughIt) {
       {.tail = Vec3::Zero(), .tip = up, .radius = 0.02, .color = {0.9F, 0.0F, 0.0F, 1.0F}});
   const Vec3 on_both(0.0, 0.0, 0.3);
   EXPECT_EQ(redness(draw(drawn, figure), pane.camera, on_both), redness(alone, pane.camera, on_both));
+}
+
+// 27 November 2026: where a picture cut a sphere a little, this had a dent, and broken lines along its middle.
+TEST(FigurePass, GlassThatThePictureCutsIsTheSameGlass) {
+  Drawn drawn;
+  GlassEllipsoid ball;
+  ball.tint = {0.4F, 0.6F, 0.8F, 1};
+  constexpr Size kTall{420, 560}, kSquare{420, 420};  // the same scale
+  const Background white{Background::Kind::white, {}};
+  for (const double half_tan : {0.20, 0.205, 0.21, 0.215, 0.22, 0.225, 0.23}) {
+    Figure figure{{Pane{}}, 0};
+    Pane& pane = figure.panes[0];
+    pane.list.ellipsoids = {ball};
+    pane.camera = orbit({.azimuth_rad = 0.5 * std::numbers::pi, .elevation_rad = 0.25, .distance = 4.75},
+                        Vec3(0.14, 0, 0), 1);
+    const auto drawn_at = [&](Size size) {
+      pane.camera.fov_y_rad = 2.0 * std::atan(half_tan * size.height / kSquare.height);
+      return drawn.renderer->draw(figure, size, white, {}).value();
+    };
+    const Image tall = drawn_at(kTall), square = drawn_at(kSquare);
+    int most = 0;
+    for (int y = 0; y < kSquare.height; ++y)
+      for (int i = 0; i < 4 * kSquare.width; ++i) {
+        const auto at = [&](const Image& image, int row) {
+          return image.rgba[static_cast<std::size_t>(4 * row * image.size.width + i)];
+        };
+        most = std::max(most, std::abs(at(square, y) - at(tall, y + 70)));
+      }
+    EXPECT_LE(most, 2) << half_tan;  // rays are rounded in other places
+  }
 }
 
 }  // namespace
