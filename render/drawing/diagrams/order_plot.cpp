@@ -39,11 +39,10 @@ std::optional<double> measured_order(const std::vector<Sample>& samples) {
   return order;
 }
 
-std::string label_of(Method method, const std::optional<double>& order) {
-  std::string name(facts_of(method).term);
-  if (!order) return name;
+std::string words_of(const std::optional<double>& order) {
+  if (!order) return "";
   NumberForm one_decimal(*order, *order < 10 ? 2 : 3);
-  return name + ", order " + one_decimal.text(*order);
+  return "order " + one_decimal.text(*order);
 }
 
 std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double t_s, bool by_evaluations) {
@@ -51,7 +50,8 @@ std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double
   for (const MethodRow& row : tables.front().rows) {
     if (facts_of(row.method).control != StepControl::fixed) continue;
     const std::vector<Sample> samples = samples_of(row.method, tables);
-    PlotSeries series{.label = label_of(row.method, measured_order(samples)),
+    PlotSeries series{.label = std::string(facts_of(row.method).term),
+                      .detail = words_of(measured_order(samples)),
                       .points = {},
                       .emphasized = true,
                       .look = look_of(row.method),

@@ -18,6 +18,8 @@ constexpr Color kGood = color_from_hex(0xF3EEDF);  // where the tolerance is met
 // Lengths in px of a picture 1080 px high.
 constexpr double kMargin = 72, kMarginBesideNames = 24;
 constexpr double kMostOfNames = 0.38;  // of the width, in a column
+constexpr double kNameSpacing = 1.3,
+                 kNameLeading = 1.15;  // between names there, and their lines; sizes of type
 constexpr double kTitleSize = 44, kNoteSize = 26, kAxisTitleSize = 27, kTickSize = 26;
 constexpr double kNameSize = 27, kQuietNameSize = 25, kExactNameSize = 32, kCalloutSize = 29;
 constexpr double kNameAir = 0.12;  // of the size of type, around a name
@@ -143,6 +145,19 @@ class PlotLayout {
                width - px(2 * margin() + kEndGap);
   }
 
+  /// The lines of a curve's name.
+  std::vector<std::string> name_of(const PlotSeries& s) const {
+    if (!plot_.names_at_end || s.detail.empty()) return {s.label};
+    if (has_two_lines_) return {s.label, s.detail};
+    return {s.label + ", " + s.detail};
+  }
+  double widest_of_names() const {
+    double widest = 0.0;
+    for (const PlotSeries& s : plot_.series)
+      for (const std::string& line : name_of(s)) widest = std::max(widest, width_of(line, px(kNameSize)));
+    return widest;
+  }
+
   void place_axes(double width, double height) {
     const bool has_line_of_note = !plot_.note.empty() && !has_note_beside(width);
     const double above = (has_line_of_note ? 250 : 212) - raised();
@@ -156,9 +171,12 @@ class PlotLayout {
     for (int n : y_.marks(px(kDecadeSpacing)).labelled)
       widest = std::max(widest, width_of(power_of_ten(n), px(kTickSize)));
     frame_.x0 += widest + px(20);
-    double widest_name = 0.0;
-    for (const PlotSeries& s : plot_.series)
-      widest_name = std::max(widest_name, width_of(s.label, px(kNameSize)));
+    double widest_name = widest_of_names();
+    if (plot_.names_at_end && widest_name > kMostOfNames * width) {
+      const double sizes = static_cast<double>(plot_.series.size()) * (kNameSpacing + kNameLeading);
+      has_two_lines_ = px(kNameSize) * sizes <= frame_.y1 - frame_.y0;
+      widest_name = widest_of_names();
+    }
     if (plot_.names_at_end && widest_name > kMostOfNames * width) {
       name_scale_ = kMostOfNames * width / widest_name;
       widest_name *= name_scale_;
@@ -372,8 +390,8 @@ class PlotLayout {
   }
 
   void add_names_at_end() {
-    constexpr double kSpacing = 1.3;  // sizes of type
     const double size = name_scale_ * px(kNameSize), left = frame_.x1 + px(kEndGap);
+    const double below = has_two_lines_ ? kNameLeading * size : 0.0;
     std::vector<std::size_t> named;
     std::vector<double> wanted;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
@@ -381,18 +399,22 @@ class PlotLayout {
       named.push_back(i);
       wanted.push_back(curves_[i].points.back().y());
     }
-    const std::vector<double> placed = spread_apart(wanted, kSpacing * size, frame_.y0, frame_.y1);
+    const std::vector<double> placed =
+        spread_apart(wanted, kNameSpacing * size + below, frame_.y0, frame_.y1);
     for (std::size_t k = 0; k < named.size(); ++k) {
       const std::size_t i = named[k];
-      const Vec2 end = curves_[i].points.back() + Vec2(1.6 * mark_radius(i), 0.0), name(left, placed[k]);
+      const std::vector<std::string> lines = name_of(plot_.series[i]);
+      const Vec2 end = curves_[i].points.back() + Vec2(1.6 * mark_radius(i), 0.0);
+      const Vec2 name(left, placed[k] - (lines.size() > 1 ? 0.5 * below : 0.0));
       if (end.x() < name.x() - px(12))
         add_line(end, name - Vec2(px(6), 0.0), px(1.4), towards_paper(styles_[i].ink, 0.4F));
       add_mark(sheet_, name + Vec2(0.4 * size, 0.0), px(7.5), styles_[i], plot_.paper);
-      const std::string& text = plot_.series[i].label;
-      sheet_.texts.push_back({.list = line_of(text, size, styles_[i].ink),
-                              .at = name + Vec2(0.95 * size, 0.35 * size),
-                              .halo = paper_halo(),
-                              .text = text});
+      for (std::size_t line = 0; line < lines.size(); ++line)
+        sheet_.texts.push_back(
+            {.list = line_of(lines[line], size, styles_[i].ink),
+             .at = name + Vec2(0.95 * size, 0.35 * size + static_cast<double>(line) * below),
+             .halo = paper_halo(),
+             .text = lines[line]});
     }
   }
 
@@ -434,8 +456,9 @@ class PlotLayout {
   const WorkPrecisionPlot& plot_;
   const Fonts& fonts_;
   double width_;
-  double name_scale_ = 1;  ///< of names in a column that would leave no room for the curves
-  double unit_;            ///< px of this picture for one of a picture 1080 px high
+  bool has_two_lines_ = false;  ///< names in a column that would leave no room for the curves; and their size
+  double name_scale_ = 1;
+  double unit_;  ///< px of this picture for one of a picture 1080 px high
   LogAxis x_, y_;
   std::vector<CurveStyle> styles_;
   std::vector<bool> strong_;

@@ -31,6 +31,7 @@ struct PlaceInLook {
 
 struct PlotSeries {
   std::string label;
+  std::string detail{};  ///< behind the label where names stand at the end, or below it in a narrow column
   std::vector<std::pair<double, double>> points{};  ///< (work, error) in the order of the curve
   /// Drawn heavier, the rest quieter. If none but stars are: the Pareto front of the others is.
   bool emphasized = false;

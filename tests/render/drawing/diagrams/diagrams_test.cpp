@@ -262,6 +262,21 @@ TEST(Diagrams, TheOrderPlotMeasuresOrders) {
     EXPECT_EQ(texts_of(sheet, label).size(), 1u) << label;
 }
 
+// Of few curves in a narrow column, whose type would be small beside it.
+TEST(Diagrams, TheOrderPlotWritesTheOrderBelowANameWhereItIsNarrow) {
+  Scene scene = scene_of(Overlay::order_plot);
+  scene.motion = {.method = Method::rk4, .step_s = 0.1};
+  scene.at_s = 20.0;
+  scene.compared = {.methods = {Method::rk4, Method::rk4_projected}};
+  const Sheet wide = sheet_of(scene, 0.0, {0, 0, 1200, 600}), narrow = sheet_of(scene, 0.0, {0, 0, 500, 700});
+  EXPECT_EQ(texts_of(wide, "RK4 with projection, order 4.0").size(), 1u);
+  EXPECT_EQ(texts_of(narrow, "RK4 with projection").size(), 1u);
+  EXPECT_EQ(texts_of(narrow, "order 4.0").size(), 2u);
+  for (const PlacedType* name : texts_of(narrow, "RK4 with projection"))
+    EXPECT_NEAR(name->list.glyphs.front().size, texts_of(narrow, "RK4").front()->list.glyphs.front().size,
+                1e-9);
+}
+
 // Of a page to read: beside the text one picture has much width and little height.
 TEST(Diagrams, TheOrderPlotTakesAllTheRoomOfItsBox) {
   for (const PixelBox& box : {PixelBox{0, 0, 990, 400}, PixelBox{0, 0, 500, 480}, PixelBox{0, 0, 700, 700}}) {
