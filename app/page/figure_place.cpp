@@ -107,20 +107,6 @@ Inset space_of(const SceneModel& model, double t_s, const PixelRect& rect, const
   return inset;
 }
 
-/// Left and right, or above and below, as lets the views be larger; with plots below them left and right.
-std::vector<PixelBox> places_of_scenes(const SceneModel& model, const PixelBox& place) {
-  const std::vector<const SceneModel*> shown = shown_models(model);
-  const auto smallest = [&](const std::vector<PixelBox>& cells) {
-    double side = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      side = std::min(
-          {side, cells[i].width() / static_cast<double>(shown[i]->scene.views.size()), cells[i].height()});
-    return side;
-  };
-  const auto beside = cells_of(place, shown.size(), true), below = cells_of(place, shown.size(), false);
-  return each_has_meters(model) || smallest(beside) >= smallest(below) ? beside : below;
-}
-
 void add_ground(const PixelBox& box, const Color& color, Sheet& sheet) {
   sheet.shapes.push_back(
       Area{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}, color});
@@ -131,10 +117,19 @@ bool is_written(const Scene& scene, double t_s, const FigurePlace& place) {
   return !place.rooms_alone && holds && caption_holds(scene, t_s);
 }
 
+/// Of a caption, px, with what is free around it: above its first baseline, and below.
+struct CaptionRoom {
+  double above = 0, below = 0;
+  double height() const { return above + below; }
+};
+CaptionRoom larger(const CaptionRoom& a, const CaptionRoom& b) {
+  return {std::max(a.above, b.above), std::max(a.below, b.below)};
+}
+
 /// A caption in as many lines as it takes.
 struct CaptionLines {
   DisplayList lines{};
-  double above = 0, height = 0;  ///< px, of the first baseline and of all, with what is free around them
+  CaptionRoom room{};
 };
 
 CaptionLines caption_lines(const std::string& caption, double width, const FigurePlace& place,
@@ -150,22 +145,51 @@ CaptionLines caption_lines(const std::string& caption, double width, const Figur
   DisplayList lines = set_lines(caption, style, fonts);
   style.size *= std::min(1.0, style.width / lines.width);  // a long word in a narrow place
   lines = set_lines(caption, style, fonts);
-  const double above = std::round(kCaptionGap * em + std::max(lines.ascent, kCaptionTop * em));
-  const double height = above + std::round(lines.depth + kCaptionGap * em);
-  return {std::move(lines), above, height};
+  const CaptionRoom room{std::round(kCaptionGap * em + std::max(lines.ascent, kCaptionTop * em)),
+                         std::round(lines.depth + kCaptionGap * em)};
+  return {std::move(lines), room};
 }
 
-/// Below what stands in the box, which is cut by it, whether it is written or not: by `least` px, so that
-/// pictures side by side end at one height.
-void cut_caption(const std::string& caption, bool is_written, double least, const FigurePlace& place,
-                 PixelBox& box, Sheet& sheet, const Fonts& fonts) {
+/// Left and right, or above and below, as lets the scenes be larger; with plots below them left and right.
+/// @param captions whether each has one of its own, which takes from its height
+std::vector<PixelBox> places_of_scenes(const SceneModel& model, const PixelBox& box, bool captions,
+                                       const FigurePlace& place, const Fonts& fonts) {
+  const std::vector<const SceneModel*> shown = shown_models(model);
+  const auto beside = cells_of(box, shown.size(), true), below = cells_of(box, shown.size(), false);
+  if (each_has_meters(model)) return beside;
+  // Of one line, however long they are: numbers that change never make scenes change their places.
+  const double caption = captions ? caption_lines("0", box.width(), place, fonts).room.height() : 0.0;
+  struct Scale {
+    double space = std::numeric_limits<double>::infinity(), side = space;  ///< px a scene unit; px
+    bool operator>=(const Scale& other) const {
+      return std::isfinite(space) && space != other.space ? space > other.space : side >= other.side;
+    }
+  };
+  const auto smallest = [&](const std::vector<PixelBox>& cells) {
+    Scale least;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const double width = cells[i].width(), height = std::max(1.0, cells[i].height() - caption);
+      const double half_height = own_half_height(*shown[i], width / height);
+      if (half_height > 0.0) least.space = std::min(least.space, 0.5 * height / half_height);
+      least.side = std::min({least.side, width / static_cast<double>(shown[i]->scene.views.size()), height});
+    }
+    return least;
+  };
+  return smallest(beside) >= smallest(below) ? beside : below;
+}
+
+/// Below what stands in the box, which is cut by it, whether it is written or not: by `least`, so that
+/// pictures side by side end at one height and their captions stand on one line.
+void cut_caption(const std::string& caption, bool is_written, const CaptionRoom& least,
+                 const FigurePlace& place, PixelBox& box, Sheet& sheet, const Fonts& fonts) {
   CaptionLines set = caption_lines(caption, box.width(), place, fonts);
-  const double y1 = box.y1 - std::max(set.height, least);
+  const CaptionRoom room = larger(set.room, least);
+  const double y1 = box.y1 - room.height();
   if (y1 == box.y1) return;
   if (place.ground) add_ground({box.x0, y1, box.x1, box.y1}, *place.ground, sheet);
   if (is_written && !caption.empty())
     sheet.texts.push_back({.list = std::move(set.lines),
-                           .at = {std::round(box.x0 + kPad * place.caption_px), y1 + set.above},
+                           .at = {std::round(box.x0 + kPad * place.caption_px), y1 + room.above},
                            .text = caption});
   box.y1 = y1;
 }
@@ -174,7 +198,7 @@ void cut_caption(const std::string& caption, bool is_written, double least, cons
 struct OwnCaption {
   std::string text{};
   bool is_written = false;
-  double least = 0;  ///< px, of the room that it has
+  CaptionRoom least{};  ///< that it has
 };
 
 /// One scene, whatever stands beside it; `first` is that of all of them.
@@ -194,6 +218,9 @@ PlacedFigure place_scene(const SceneModel& model, const OwnCaption& caption, dou
   }
   const DiagramStyle style = diagram_style(place);
   const double pad = kPad * place.caption_px;
+  // A caption follows its diagrams; below a space, or beside another caption, it stays below the picture.
+  const bool is_captioned_alone = !placed.sheet.texts.empty() && caption.least.height() == 0 &&
+                                  !shows_space(model.drawn, model.needs.marks);
   if (place.ground) add_ground(box, *place.ground, placed.sheet);
   if (shows_space(model.drawn, model.needs.marks)) {
     const auto [space, rest] = share(diagrams, model.scene.views.size(), box, pad);
@@ -201,9 +228,13 @@ PlacedFigure place_scene(const SceneModel& model, const OwnCaption& caption, dou
     box = rest;
   }
   const std::vector<PixelBox> cells = best_cells(diagrams, box, pad);
-  for (std::size_t i = 0; i < diagrams.size(); ++i)
-    append(placed.sheet, lay_out_diagram(diagrams[i], model, t_s, cells[i].grown(-pad), style, fonts),
-           {0, 0});
+  double lowest = box.y0;
+  for (std::size_t i = 0; i < diagrams.size(); ++i) {
+    const PixelBox cell = cells[i].grown(-pad);
+    append(placed.sheet, lay_out_diagram(diagrams[i], model, t_s, cell, style, fonts), {0, 0});
+    lowest = std::max(lowest, diagram_box(diagrams[i], cell, style).y1);
+  }
+  if (is_captioned_alone) placed.sheet.texts.front().at.y() -= box.y1 - pad - lowest;
   return placed;
 }
 
@@ -220,22 +251,25 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
   PixelBox box = box_of(place.rect);
   const bool is_common = have_one_caption(shown_scenes(model.scene));
   if (is_common)
-    cut_caption(caption_of(model.scene.before), writes(model.scene.before), 0, place, box, placed.sheet,
+    cut_caption(caption_of(model.scene.before), writes(model.scene.before), {}, place, box, placed.sheet,
                 fonts);
-  const std::vector<PixelBox> cells = places_of_scenes(model, box);
   std::vector<OwnCaption> captions;
-  double highest = 0;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const std::string& label = shown[i]->scene.label;
     const bool has_own = label.empty() && !is_common;
     captions.push_back({has_own ? caption_of(i) : label, !has_own || writes(i)});
-    highest = std::max(highest, caption_lines(captions[i].text, cells[i].width(), place, fonts).height);
   }
+  const bool have_captions =
+      std::any_of(captions.begin(), captions.end(), [](const OwnCaption& own) { return !own.text.empty(); });
+  const std::vector<PixelBox> cells = places_of_scenes(model, box, have_captions, place, fonts);
+  CaptionRoom largest;
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    largest = larger(largest, caption_lines(captions[i].text, cells[i].width(), place, fonts).room);
   const bool are_beside = cells.front().y0 == cells.back().y0;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     FigurePlace cell = place;
     cell.rect = rect_of(cells[i]);
-    if (are_beside) captions[i].least = highest;
+    if (are_beside) captions[i].least = largest;
     PlacedFigure one = place_scene(*shown[i], captions[i], t_s, cell, fonts, model);
     append(placed.sheet, std::move(one.sheet), {0, 0});
     placed.plots.insert(placed.plots.end(), one.plots.begin(), one.plots.end());

@@ -246,6 +246,16 @@ std::vector<Pane> make_panes_of_views(const SceneModel& model, double t_s, doubl
 
 }  // namespace
 
+double own_half_height(const SceneModel& model, double aspect) {
+  const Scene& scene = model.scene;
+  if (model.drawn.contains(Overlay::turn_orders) || shows_nothing(model.drawn, model.needs.marks)) return 0.0;
+  double most = 0.0;
+  for (const View view : scene.views)
+    most = std::max(most, half_height_of(camera_for(builders::snapshot_at(model, still_time_s(scene), view),
+                                                    aspect / static_cast<double>(scene.views.size()), 0.0)));
+  return most;
+}
+
 double common_half_height(const SceneModel& model, double aspect) {
   if (model.beside.empty()) return 0.0;
   const std::vector<const SceneModel*> shown = shown_models(model);
@@ -254,14 +264,10 @@ double common_half_height(const SceneModel& model, double aspect) {
   for (const SceneModel* one : shown) {
     const Scene& scene = one->scene;
     const bool is_alike = scene.body == first.body && scene.camera.zoom == first.camera.zoom &&
-                          scene.views == first.views && !drifts(scene) &&
-                          !one->drawn.contains(Overlay::turn_orders) &&
-                          !shows_nothing(one->drawn, one->needs.marks);
-    if (!is_alike) return 0.0;
-    for (const View view : scene.views)
-      most =
-          std::max(most, half_height_of(camera_for(builders::snapshot_at(*one, still_time_s(scene), view),
-                                                   aspect / static_cast<double>(scene.views.size()), 0.0)));
+                          scene.views == first.views && !drifts(scene);
+    const double own = is_alike ? own_half_height(*one, aspect) : 0.0;
+    if (own <= 0.0) return 0.0;
+    most = std::max(most, own);
   }
   return most;
 }

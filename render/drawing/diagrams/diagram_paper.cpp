@@ -97,9 +97,8 @@ DiagramPaper::DiagramPaper(const Vec2& extent, const PixelBox& box, const Diagra
     : style_(style),
       fonts_(fonts),
       extent_(extent),
-      unit_(std::min({style.type_size, box.width() / extent.x(), box.height() / extent.y()})),
-      corner_(box.x0 + 0.5 * (box.width() - unit_ * extent.x()),
-              box.y0 + 0.5 * (box.height() - unit_ * extent.y())) {
+      unit_(box.width() / extent.x()),
+      corner_(box.x0, box.y0) {
   symbols_ = {symbol("\\vec\\omega", ink_of(kOmegaRole)), symbol("\\dot{\\vec\\omega}", ink_of(kOmegaRole)),
               symbol("\\vec L", ink_of(kLRole)), symbol("\\vec N", ink_of(kNRole))};
 }

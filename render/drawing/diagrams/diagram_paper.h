@@ -57,6 +57,7 @@ inline Vec3 cyclic_differences(const Vec3& a) { return {a[2] - a[1], a[0] - a[2]
 
 class DiagramPaper {
  public:
+  /// @param box that it fills (diagram_box); extent: its width and height in sizes of its type
   DiagramPaper(const Vec2& extent, const PixelBox& box, const DiagramStyle& style, const Fonts& fonts);
 
   const DiagramStyle& style() const { return style_; }

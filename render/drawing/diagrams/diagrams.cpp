@@ -36,10 +36,18 @@ Vec2 diagram_extent(Overlay diagram, const PixelBox& box) {
   return arrangement_in(kind, box) == diagrams::Arrangement::wide ? kind.wide : kind.tall;
 }
 
+PixelBox diagram_box(Overlay diagram, const PixelBox& box, const DiagramStyle& style) {
+  const Vec2 extent = diagram_extent(diagram, box);
+  const double unit = std::min({style.type_size, box.width() / extent.x(), box.height() / extent.y()});
+  const double x = box.x0 + 0.5 * (box.width() - unit * extent.x()),
+               y = box.y0 + 0.5 * (box.height() - unit * extent.y());
+  return {x, y, x + unit * extent.x(), y + unit * extent.y()};
+}
+
 Sheet lay_out_diagram(Overlay diagram, const SceneModel& model, double t_s, const PixelBox& box,
                       const DiagramStyle& style, const Fonts& fonts) {
   const DiagramKind& kind = kind_of(diagram);
-  diagrams::DiagramPaper paper(diagram_extent(diagram, box), box, style, fonts);
+  diagrams::DiagramPaper paper(diagram_extent(diagram, box), diagram_box(diagram, box, style), style, fonts);
   kind.draw(model, t_s, arrangement_in(kind, box), paper);
   return paper.take();
 }

@@ -34,7 +34,10 @@ struct DiagramStyle {
 /// Width and height of a diagram as it is arranged in a box of that size, in sizes of its type.
 Vec2 diagram_extent(Overlay diagram, const PixelBox& box);
 
-/// In the middle of `box`, its type as large as there is room for. Pure.
+/// What a diagram takes of a box: in its middle, the type as large as there is room for.
+PixelBox diagram_box(Overlay diagram, const PixelBox& box, const DiagramStyle& style);
+
+/// There. Pure.
 Sheet lay_out_diagram(Overlay diagram, const SceneModel& model, double t_s, const PixelBox& box,
                       const DiagramStyle& style, const Fonts& fonts);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace polhode {
@@ -145,9 +146,48 @@ TEST(FigurePlace, ScenesSideBySideShareThePlace) {
       for (std::size_t k = 0; k < i; ++k) EXPECT_EQ(space.overlap(box_of(figure.insets[k].place)), 0.0);
     }
     EXPECT_EQ(texts_of(figure.sheet, "A caption").size(), 1u);
-    EXPECT_EQ(figure.insets[0].place.x == figure.insets[2].place.x, size.width < size.height)
-        << "beside each other where it is wide, below where it is high";
   }
+}
+
+TEST(FigurePlace, ScenesStandBesideOrBelowEachOtherAsLetsThemBeLarger) {
+  for (const bool is_upright : {true, false}) {
+    Scene scene = three_scenes({Overlay::omega});
+    const auto lay = [&](Scene& one) {
+      one.w0_B = is_upright ? Vec3(0, 0, 2) : Vec3(2, 0, 0);
+      one.views = {View::body};
+      one.camera.azimuth_rad = -0.5 * std::numbers::pi;
+      one.camera.elevation_rad = 0.1;
+    };
+    lay(scene);
+    for (Scene& other : scene.beside) lay(other);
+    const PlacedFigure figure = placed(scene, {600, 600});
+    ASSERT_EQ(figure.insets.size(), 3u);
+    EXPECT_EQ(figure.insets[0].place.y == figure.insets[2].place.y, is_upright);
+    EXPECT_EQ(figure.insets[0].place.x == figure.insets[2].place.x, !is_upright);
+  }
+}
+
+TEST(FigurePlace, CaptionsSideBySideStandOnOneLine) {
+  Scene first = three_scenes({Overlay::omega});
+  first.caption = "A tall $\\vec A$";
+  first.beside[0].caption = "A caption of more words than the width of its picture has room for in a line";
+  const PlacedFigure figure = placed(first, {900, 500});
+  ASSERT_EQ(figure.sheet.texts.size(), 3u);
+  for (const PlacedType& caption : figure.sheet.texts)
+    EXPECT_EQ(caption.at.y(), figure.sheet.texts[0].at.y());
+}
+
+TEST(FigurePlace, ACaptionFollowsItsBoard) {
+  const Size size{640, 900};
+  const PlacedFigure figure = placed(scene_of({Overlay::energy_rows}), size);
+  const auto captions = texts_of(figure.sheet, "A caption");
+  ASSERT_EQ(captions.size(), 1u);
+  double lowest = 0.0;
+  for (const PlacedType& text : figure.sheet.texts)
+    if (text.text != "A caption") lowest = std::max(lowest, polhode::box_of(text).y1);
+  const double gap = polhode::box_of(*captions[0]).y0 - lowest;
+  EXPECT_GT(gap, 0.0);
+  EXPECT_LT(gap, 3.0 * caption_px_of(size)) << "not at the foot of the place";
 }
 
 TEST(FigurePlace, PicturesSideBySideEndAtOneHeightWhateverTheirCaptions) {
