@@ -111,6 +111,10 @@ std::string background_name(const std::string& typed, What what) {
     return "paper";
   }
   if (typed.empty()) return what == What::figure ? "studio" : "paper";
+  if (what == What::equation && typed == "transparent-dark")
+    throw usage(
+        "--background transparent-dark: goes with --what figure; equations are transparent in the --theme "
+        "dark");
   std::vector<std::string> names = export_words().background;
   names.emplace_back("#rrggbb");
   if (!background_from(typed))
@@ -202,18 +206,19 @@ std::vector<std::string> names_of_sizes() {
 }  // namespace
 
 const ExportWords& export_words() {
-  static const ExportWords kWords = {.what = {"page", "equation", "figure", "transcript"},
-                                     .each = {"stage", "step", "frame", "page"},
-                                     .size = names_of_sizes(),
-                                     .background = {"studio", "paper", "white", "transparent"},
-                                     .theme = {"paper", "dark"},
-                                     .profile = {"page", "slides"},
-                                     .quality = quality_level_names(),
-                                     .png = {"fast", "small"},
-                                     .format = {"png", "svg", "pdf"},
-                                     .sync = {"end", "frame"},
-                                     .context = {"auto", "osmesa", "egl"},
-                                     .with = {"html", "pdf", "pptx", "mp4"}};
+  static const ExportWords kWords = {
+      .what = {"page", "equation", "figure", "transcript"},
+      .each = {"stage", "step", "frame", "page"},
+      .size = names_of_sizes(),
+      .background = {"studio", "paper", "white", "transparent", "transparent-dark"},
+      .theme = {"paper", "dark"},
+      .profile = {"page", "slides"},
+      .quality = quality_level_names(),
+      .png = {"fast", "small"},
+      .format = {"png", "svg", "pdf"},
+      .sync = {"end", "frame"},
+      .context = {"auto", "osmesa", "egl"},
+      .with = {"html", "pdf", "pptx", "mp4"}};
   return kWords;
 }
 

@@ -69,9 +69,10 @@ ExportOptions export_options_of(const LessonSession& session, SaveAs what, const
   options.profile = Profile::page;
   options.text_scale = session.preferences.text_scale;
   if (what == SaveAs::equation) options.dpi = kDefaultEquationDpi;
-  options.background = chosen.transparent       ? "transparent"
-                       : what == SaveAs::figure ? figure_background(options.theme)
-                                                : "paper";
+  const bool is_figure = what == SaveAs::figure, is_on_dark = is_figure && options.theme == Theme::dark;
+  options.background = chosen.transparent ? (is_on_dark ? "transparent-dark" : "transparent")
+                       : is_figure        ? figure_background(options.theme)
+                                          : "paper";
   return options;
 }
 
