@@ -15,7 +15,7 @@ namespace {
 
 // Lengths in sizes of type.
 constexpr double kTitleRoom = 2.1, kTimeRoom = 1.7;       // above and below the axes
-constexpr double kLeastWidth = 14.0, kLeastHeight = 7.5;  // of a plot
+constexpr double kLeastWidth = 12.4, kLeastHeight = 7.5;  // of a plot
 constexpr double kTitleGap = 0.6;                         // between title and unit
 constexpr double kMarkGap = 0.45, kNameGap = 0.55, kTick = 0.22, kUnitGap = 0.35;
 constexpr double kLeastMarkRoom = 2.3, kLeastNameRoom = 2.0;  // so that most plots look alike
@@ -106,10 +106,19 @@ class ValueAxis {
   std::vector<Tick> ticks_;
 };
 
-/// With type small enough for the box.
-TimePlotStyle fitting(const TimePlotStyle& style, const PixelBox& box) {
+/// With type small enough for the box, and for title and unit in one line of it.
+TimePlotStyle fitting(const TimePlot& plot, const TimePlotStyle& style, const PixelBox& box,
+                      const Fonts& fonts) {
+  constexpr double kOfPrefix = 1.0;  // a prefix that the axis may put before the unit
+  TextStyle text;
+  text.size = 1.0;
+  text.sans = true;
+  const double unit =
+      plot.unit.empty() ? 0.0 : kTitleGap + kOfPrefix + set_line(plot.unit, text, fonts).width;
+  const double head = set_line(plot.title, text, fonts).width + unit;
   TimePlotStyle fitted = style;
-  fitted.type_size = std::min({style.type_size, box.width() / kLeastWidth, box.height() / kLeastHeight});
+  fitted.type_size =
+      std::min({style.type_size, box.width() / std::max(kLeastWidth, head), box.height() / kLeastHeight});
   return fitted;
 }
 
@@ -122,7 +131,7 @@ class TimePlotLayout {
   TimePlotLayout(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts)
       : plot_(plot),
         box_(box),
-        style_(fitting(style, box)),
+        style_(fitting(plot, style, box, fonts)),
         fonts_(fonts),
         axis_(plot, box.y1 - px(kTimeRoom), box.y0 + px(kTitleRoom), intervals(), px(kMarkSpacing)) {
     place_axes();
