@@ -6,14 +6,14 @@
 namespace polhode::diagrams {
 namespace {
 
-constexpr double kColumn = 5.6, kRow = 2.9;
+constexpr double kColumn = 4.8, kRow = 2.9;
 constexpr double kDeterminantLeft = 8.0;  // of the cells
 constexpr double kDeterminantTop = 0.4;
 constexpr std::array<double, 3> kBaselines = {1.55, 1.25,
                                               1.25};  // in a cell: below the symbols stand numbers
 constexpr double kNumberBelow = 1.32;
 constexpr double kExpansionTop = 10.8, kExpansionRow = 2.3;
-constexpr double kWidth = 27.6;
+constexpr double kWidth = 27.2;
 constexpr double kSmall = 0.92;
 
 using Texts = std::array<const char*, 3>;
@@ -116,6 +116,6 @@ void draw(const SceneModel& model, double t_s, Arrangement /*unused*/, DiagramPa
 
 constexpr double kHeight = kExpansionTop + 3.0 * kExpansionRow + 0.2;
 
-const DiagramKind kCofactors{{kWidth + 3.0, kHeight}, {kWidth + 3.0, kHeight}, draw};
+const DiagramKind kCofactors{{kWidth + 1.2, kHeight}, {kWidth + 1.2, kHeight}, draw};
 
 }  // namespace polhode::diagrams
