@@ -48,6 +48,14 @@ std::optional<TopAxis> axis_of_weight(const Torque& torque) {
   return TopAxis{c, std::copysign(1.0, arm_B[c]), mgl};
 }
 
+/// From the axes (a, b, c) of the top to those of the body: the cyclic change of names, and where the centre
+/// of mass lies on the negative side of c half a turn about a. Space does not turn with them.
+Quat axes_of_top(const TopAxis& top) {
+  const double half = top.axis == 0 ? 0.5 : -0.5;
+  const Quat names = top.axis == 2 ? Quat::Identity() : Quat(0.5, half, half, half);
+  return top.sign < 0 ? names * Quat(0, 1, 0, 0) : names;
+}
+
 bool is_symmetric_about(const PrincipalMoments& I, int c) { return I[(c + 1) % 3] == I[(c + 2) % 3]; }
 
 // The largest root of x³ + b x² + c x + d, of which all roots are real: Newton's method from Fujiwara's bound
@@ -209,10 +217,11 @@ LagrangeTopMotion::Setup::Setup(const Problem& problem, const TopAxis& top, cons
   const auto c = static_cast<std::size_t>(top.axis);
   f.axes = {static_cast<int>((c + 1) % 3), static_cast<int>((c + 2) % 3), top.axis};
   f.sign = top.sign;
-  const auto& q = start.q_SB.coeffs();
+  f.to_top = axes_of_top(top);
+  const Quat q = start.q_SB * f.to_top;
   const auto& w = start.w_B;
-  at_P = {q[3], f.sign * q[f.axes[2]]};
-  at_Q = {q[f.axes[0]], f.sign * q[f.axes[1]]};
+  at_P = {q.w(), q.z()};
+  at_Q = {q.x(), q.y()};
   at_E = {w[f.axes[0]], f.sign * w[f.axes[1]]};
   f.w_c = f.sign * w[f.axes[2]];
 
@@ -545,11 +554,8 @@ RigidBodyState LagrangeTopMotion::at(double t_s) const {
   const Complex across = (f.C_E * inverse) * product(product(std::conj(turn_P), turn_Q), at.E);
 
   RigidBodyState state;
-  auto& q = state.q_SB.coeffs();
-  q[3] = inverse * P.real();
-  q[f.axes[0]] = inverse * Q.real();
-  q[f.axes[1]] = f.sign * inverse * Q.imag();
-  q[f.axes[2]] = f.sign * inverse * P.imag();
+  const Quat in_top(inverse * P.real(), inverse * Q.real(), inverse * Q.imag(), inverse * P.imag());
+  state.q_SB = in_top * f.to_top.conjugate();
   state.w_B[f.axes[0]] = f.unit * across.real();
   state.w_B[f.axes[1]] = f.sign * f.unit * across.imag();
   state.w_B[f.axes[2]] = start_.w_B[f.axes[2]];

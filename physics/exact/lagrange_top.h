@@ -93,8 +93,9 @@ class LagrangeTopMotion final : public Motion {
   struct Formula {
     Series series = Series::rotation;
     std::array<int, 3> axes{0, 1, 2};
-    double sign = 1;  // of the axes b and c
-    double unit = 1;  // 2^e
+    double sign = 1;                 // of the axes b and c
+    Quat to_top = Quat::Identity();  // from (a, b, c) to the axes of the body
+    double unit = 1;                 // 2^e
     double w_c = 0;
     double last_time = 0;            // beyond it the phase is lost, and time stands still
     double v0 = 0, v_rate = 0;       // half periods from the place of `from_top`; λt on the separatrix
