@@ -155,7 +155,7 @@ CaptionLines caption_lines(const std::string& caption, double width, const Figur
 std::vector<PixelBox> places_of_scenes(const SceneModel& model, const PixelBox& box, bool captions,
                                        const FigurePlace& place, const Fonts& fonts) {
   const std::vector<const SceneModel*> shown = shown_models(model);
-  const auto beside = cells_of(box, shown.size(), true), below = cells_of(box, shown.size(), false);
+  auto beside = cells_of(box, shown.size(), true), below = cells_of(box, shown.size(), false);
   if (each_has_meters(model)) return beside;
   // Of one line, however long they are: numbers that change never make scenes change their places.
   const double caption = captions ? caption_lines("0", box.width(), place, fonts).room.height() : 0.0;
