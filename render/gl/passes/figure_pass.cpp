@@ -176,6 +176,7 @@ FigurePass::Shown FigurePass::show(const Pane& pane, const Framebuffer& target, 
 }
 
 void FigurePass::clear(const Background& background, GLbitfield buffers) const {
+  if (buffers == 0) return;  // browsers complain of what clears nothing
   const Color sky = sky_of(background);
   gl_.ClearColor(sky.r * sky.a, sky.g * sky.a, sky.b * sky.a, sky.a);
   gl_.DepthMask(GL_TRUE);
