@@ -140,6 +140,8 @@ double L2_minus_2TI(const Now& s, int i) { return s.L().squaredNorm() - 2 * s.T(
 /// I_i (I_i − I_k) ω_i²: what |L|² − 2T I_k is the sum of.
 double part(const Now& s, int i, int k) { return s.I()[i] * (s.I()[i] - s.I()[k]) * s.w()[i] * s.w()[i]; }
 
+double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
 /// The symmetric top: the rate at which ω goes round on the body, L/I1, and the sum of two arrows.
 double lambda(const Now& s) { return (s.I()[2] - s.I()[0]) / s.I()[0] * s.w()[2]; }
 Vec3 wobble(const Now& s) { return s.L() / s.I()[0]; }
@@ -286,6 +288,10 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"symmetric-top/wobble-rate", [](const Now& s) { return Sides2(wobble(s)[2], s.I()[2] / s.I()[0] * s.w()[2]); }},
     {"symmetric-top/rolls", [](const Now& s) {
        return Sides2(lambda(s) * s.e(3).cross(s.w()), wobble(s).cross(s.w())); }},
+    {"symmetric-top/outside", [](const Now& s) {
+       return Sides2(angle(s.w(), s.L()), angle(s.e(3), s.L()) - angle(s.e(3), s.w())); }},
+    {"symmetric-top/inside", [](const Now& s) {
+       return Sides2(angle(s.w(), s.L()), angle(s.e(3), s.w()) - angle(s.e(3), s.L())); }},
     {"symmetric-top/flattest", [](const Now& s) { return Sides2(s.I()[2], 2 * s.I()[0]); }},
     {"symmetric-top/flat-plate", [](const Now& s) { return Sides2(s.I()[2], 2 * s.I()[0]); }},
     {"symmetric-top/plate-rate", [](const Now& s) { return Sides2(wobble(s)[2], 2 * s.w()[2]); }},
