@@ -377,7 +377,7 @@ ProgramCommand export_command() {
        {"--theme", &typed->theme, "of pages and equations: paper or dark (default: paper)", "NAME", false,
         offer(export_words().theme)},
        {"--background", &typed->background,
-        "studio (of figures), paper, white, transparent, transparent-dark, #rrggbb", "NAME", false,
+        "studio (figures), paper, white, transparent, transparent-dark, #rrggbb", "NAME", false,
         offer(export_words().background)},
        {"--dpi", &typed->dpi, "dots per inch to note; sizes 12 pt equations (300; svg and pdf: 600)", "N"},
        {"--fps", &typed->fps, "frames per shown second of frames and films (default: 30)", "N|A/B"},
