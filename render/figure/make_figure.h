@@ -17,8 +17,8 @@ Figure make_figure(const SceneModel& model, double t_s, double aspect, double le
 /// its own scale.
 double common_half_height(const SceneModel& model, double aspect);
 
-/// Half of the height that the scene shows in a picture of this aspect where nothing is common: its own scale.
-/// 0: it shows nothing in space, or the orders of turns, which share a picture in their own way.
+/// Half of the height that the scene shows in a picture of this aspect where nothing is common: its own
+/// scale. 0: it shows nothing in space, or the orders of turns, which share a picture in their own way.
 double own_half_height(const SceneModel& model, double aspect);
 
 }  // namespace polhode

@@ -10,7 +10,7 @@ namespace polhode::diagrams {
 namespace {
 
 const Vec2 kLeast(30, 20), kMost(52, 34);
-constexpr double kTypeSize = 43.5;      ///< makes its labels as large as the type of a diagram
+constexpr double kTypeSize = 43.5;    ///< makes its labels as large as the type of a diagram
 constexpr double kLargestError = 10;  // beyond, a method has not followed the motion at all
 
 struct Sample {

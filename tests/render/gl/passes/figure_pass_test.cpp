@@ -267,7 +267,8 @@ TEST(FigurePass, AnArrowBehindAnotherDoesNotShowThroughIt) {
   EXPECT_EQ(redness(draw(drawn, figure), pane.camera, on_both), redness(alone, pane.camera, on_both));
 }
 
-// 27 November 2026: where a picture cut a sphere a little, this had a dent, and broken lines along its middle.
+// 27 November 2026: where a picture cut a sphere a little, this had a dent, and broken lines along its
+// middle.
 TEST(FigurePass, GlassThatThePictureCutsIsTheSameGlass) {
   Drawn drawn;
   GlassEllipsoid ball;
