@@ -25,9 +25,10 @@ bool is_forbidden_control(std::string_view bytes, std::size_t i) {
 }  // namespace
 
 SourceText::SourceText(std::string_view text) : text_(text), begins_{0} {
-  begins_.reserve(1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (text[i] == '\n') begins_.push_back(i + 1);
+  std::size_t lines = 1;
+  for (std::size_t end = 0; (end = text.find('\n', end)) != text.npos; ++end) ++lines;
+  begins_.reserve(lines);
+  for (std::size_t end = 0; (end = text.find('\n', end)) != text.npos; ++end) begins_.push_back(end + 1);
 }
 
 std::string_view SourceText::line(int line) const { return lines(line, line); }
@@ -82,15 +83,19 @@ bool is_blank(std::string_view line) { return trimmed(line).empty(); }
 
 std::optional<NotText> why_not_text(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size();) {
+    if ((bytes[i] >= ' ' && bytes[i] < 0x7F) || bytes[i] == '\n') {  // nearly all of a text
+      ++i;
+      continue;
+    }
     const std::size_t begin = i;
     const char32_t character = next_character(bytes, i);
-    const std::string byte = hex_byte(static_cast<unsigned char>(bytes[begin]));
+    const auto byte = [&] { return hex_byte(static_cast<unsigned char>(bytes[begin])); };
     if (character == kMalformed) {
-      return NotText{begin, "this is not UTF-8 text: no character starts with the byte " + byte + " here",
+      return NotText{begin, "this is not UTF-8 text: no character starts with the byte " + byte() + " here",
                      "save the lesson as UTF-8"};
     }
     if (is_forbidden_control(bytes, begin)) {
-      const std::string code = character < 0x80 ? byte : hex_byte(static_cast<unsigned char>(character));
+      const std::string code = character < 0x80 ? byte() : hex_byte(static_cast<unsigned char>(character));
       return NotText{begin, "this is not a text file: control character " + code,
                      "a lesson is UTF-8 text with tabs and line feeds only"};
     }

@@ -533,8 +533,8 @@ std::string letter_of(const QuantityFacts& facts) {
 /// Adds the letters of what stands in a node: of each part that can be read, the smallest first to fail.
 class LetterSearch {
  public:
-  LetterSearch(const Math& math, const EquationNotation& notation)
-      : terms_(math, notation), vocabulary_(notation.vocabulary) {}
+  LetterSearch(const Math& math, const EquationNotation& notation, IndexedLetters indexed)
+      : terms_(math, notation), vocabulary_(notation.vocabulary), indexed_(indexed) {}
 
   void add(const MathNode& node, int depth = 0) {
     if (depth > kMaxEquationNesting) return;
@@ -552,6 +552,7 @@ class LetterSearch {
     for (const TexItem& item : items) {
       add(item.inside, depth + 1);
       if (item.kind != TexItem::Kind::operand || add_value(item)) continue;
+      if (indexed_ == IndexedLetters::as_printed) add_indexed(item);
       for (const MathNode* part : {item.node, item.sub, item.sup})
         if (part != nullptr) add_children(*part, depth);
     }
@@ -576,8 +577,24 @@ class LetterSearch {
     }
   }
 
+  /// Of a letter that is something known without its index.
+  void add_indexed(TexItem item) {
+    if (item.sub == nullptr) return;
+    const MathNode& index = without_groups(*item.sub);
+    const bool is_digit =
+        index.kind == MathNode::Kind::symbol && index.character >= U'0' && index.character <= U'9';
+    const std::string behind = is_digit ? std::string(1, static_cast<char>(index.character)) : "…";
+    item.sub = nullptr;
+    try {
+      for (const std::string& letter : letters_in(expression_of(terms_.side({&item, 1}), vocabulary_)))
+        letters_.insert(letter + '_' + behind);
+    } catch (const TexFault&) {  // it is none
+    }
+  }
+
   TexTerms terms_;
   const Vocabulary& vocabulary_;
+  IndexedLetters indexed_;
   std::set<std::string> letters_;
 };
 
@@ -598,9 +615,9 @@ std::vector<std::string> quantity_letters() {
   return {letters.begin(), letters.end()};
 }
 
-std::set<std::string> letters_in(const Math& math, const EquationNotation& notation) {
+std::set<std::string> letters_in(const Math& math, const EquationNotation& notation, IndexedLetters indexed) {
   if (!math.root) return {};
-  LetterSearch search(math, notation);
+  LetterSearch search(math, notation, indexed);
   search.add(*math.root);
   return search.take();
 }

@@ -80,6 +80,7 @@
 #include "render/typeset/math/math.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -87,12 +88,18 @@
 
 namespace polhode {
 
+struct TexItem;  // lessons/notation/tex_items.h
+
 /// A symbol of the lesson, as it is printed and what it is.
 struct EquationSymbol {
   std::string name;   ///< without `means`: the quantity or word of that name (or I, J), if there is one
   Math math;          ///< its TeX
   std::string means;  ///< an expression of the language of claims; I and J are the tensors
+  /// `math` told apart into atoms, once for all formulas that are read; null: each does it anew.
+  std::shared_ptr<const std::vector<TexItem>> items{};
 };
+/// A symbol with its items.
+EquationSymbol equation_symbol(std::string name, Math math, std::string means);
 
 /// How a lesson's formulas are to be read. What a lesson declares goes before what is built in: a symbol that
 /// is declared and means nothing known makes the formulas that use it unreadable.
@@ -150,7 +157,9 @@ Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const E
 /// The letters of the language of claims that a formula shows, whether or not it can be read: "T", "I",
 /// "omega", "L", "N", "m", "p", "v", "F", "A", "e", "h", "k". Components, rates and the tensor count as their
 /// letter.
-std::set<std::string> letters_in(const Math& math, const EquationNotation& notation);
+enum class IndexedLetters { left_out, as_printed };  ///< T_0, which is nothing that is known: "T_0"
+std::set<std::string> letters_in(const Math& math, const EquationNotation& notation,
+                                 IndexedLetters indexed = IndexedLetters::left_out);
 /// The same of an expression.
 std::set<std::string> letters_in(const Expression& expression);
 /// All that these can be.

@@ -82,15 +82,32 @@ bool has_tensor_component(const MathNode& node) {
   return std::any_of(node.children.begin(), node.children.end(), has_tensor_component);
 }
 
+namespace {
+
+/// Empty of what cannot be told apart into atoms: it is found in no formula that can.
+std::shared_ptr<const TexItems> items_of_symbol(const Math& math) {
+  try {
+    return std::make_shared<const TexItems>(math.root ? items_of(*math.root, kMaxEquationNesting)
+                                                      : TexItems());
+  } catch (const TexFault&) {
+    return std::make_shared<const TexItems>();
+  }
+}
+
+}  // namespace
+
+EquationSymbol equation_symbol(std::string name, Math math, std::string means) {
+  auto items = items_of_symbol(math);
+  return {std::move(name), std::move(math), std::move(means), std::move(items)};
+}
+
 TexTerms::TexTerms(const Math& math, const EquationNotation& notation) : math_(math), notation_(notation) {
+  symbols_.reserve(notation.symbols.size());
   for (const EquationSymbol& symbol : notation.symbols) {
     if (!symbol.math.root) continue;
-    try {
-      symbols_.push_back({&symbol, items_of(*symbol.math.root, kMaxEquationNesting)});
-    } catch (const TexFault&) {
-      continue;  // what cannot be told apart into atoms is found in no formula that can
-    }
-    if (symbols_.back().items.empty()) symbols_.pop_back();
+    auto kept = symbol.items ? nullptr : items_of_symbol(symbol.math);
+    const Items items(symbol.items ? *symbol.items : *kept);
+    if (!items.empty()) symbols_.push_back({&symbol, std::move(kept), items});
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -59,7 +60,8 @@ class TexTerms {
  private:
   struct Symbol {
     const EquationSymbol* declared;
-    TexItems items;
+    std::shared_ptr<const TexItems> kept;  ///< of one whose items were not
+    Items items;
   };
   struct Factor {
     TexValue value;

@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <sstream>
+#include <string>
 #include <utility>
 
 namespace polhode {
@@ -15,16 +15,16 @@ namespace {
 /// A hash of its parts, in which words of the lesson are written out. Two that are not the same have the same
 /// one with a chance of 2⁻⁶⁴.
 std::string fingerprint_of(const Expression& expression) {
-  std::ostringstream text;
-  text.precision(17);
+  std::string parts;
+  const auto add = [&](const auto& number) {
+    parts.append(reinterpret_cast<const char*>(&number), sizeof number);
+  };
   for (const ExpressionNode& node : expression.nodes) {
-    text << static_cast<int>(node.operation) << ' ' << node.a << ' ' << node.b << ' ';
-    if (node.operation == Operation::quantity) text << static_cast<int>(node.quantity);
-    if (node.operation == Operation::number || node.operation == Operation::constant)
-      text << node.number.value;
-    text << ' ' << node.integer << ';';
+    for (const int part : {static_cast<int>(node.operation), node.a, node.b, node.integer}) add(part);
+    if (node.operation == Operation::quantity) add(static_cast<int>(node.quantity));
+    if (node.operation == Operation::number || node.operation == Operation::constant) add(node.number.value);
   }
-  return std::to_string(std::hash<std::string>()(text.str()));
+  return std::to_string(std::hash<std::string>()(parts));
 }
 
 }  // namespace

@@ -72,7 +72,8 @@ std::optional<Expression> expression_of_symbol(const std::string& name, const Sy
 }
 
 /// False where it is known not to be one.
-bool may_be_unit_vector(const std::string& name, const Symbol& symbol, const FrontMatter& front) {
+bool may_be_unit_vector(const std::string& name, const Symbol& symbol, const FrontMatter& front,
+                        std::optional<Prover>& prover) {
   const auto expression = expression_of_symbol(name, symbol, front);
   if (!expression) return true;
   if (expression->type() != ExpressionType::vector) return false;
@@ -85,10 +86,10 @@ bool may_be_unit_vector(const std::string& name, const Symbol& symbol, const Fro
   auto right = read_expression(one, {1, 1}, unused, &words);
   if (!left || !right) return true;
   const Equality equality{std::move(*left), std::move(*right)};
-  const Prover prover;
-  const Verdict verdict = prover.settle(equality, LawsAssumed::motion);
+  if (!prover) prover.emplace();
+  const Verdict verdict = prover->settle(equality, LawsAssumed::motion);
   return verdict == Verdict::holds ||
-         (verdict == Verdict::undecided && !prover.refute(equality, LawsAssumed::motion));
+         (verdict == Verdict::undecided && !prover->refute(equality, LawsAssumed::motion));
 }
 
 /// Whether words are the name of an angle, or of its cosine or sine.
@@ -387,11 +388,10 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
     return tex;
   };
   // Two that look the same are told apart from what others are read as.
-  const auto has_twin = [&](const std::string& name, const std::string& tex) {
-    return std::any_of(front.symbols.begin(), front.symbols.end(), [&](const auto& other) {
-      return other.first != name && key_of(other.second.tex) == tex;
-    });
-  };
+  std::map<std::string, int> alike;  // how many have this key
+  for (const auto& [name, symbol] : front.symbols) ++alike[key_of(symbol.tex)];
+  const auto has_twin = [&](const std::string& tex) { return alike[tex] > 1; };
+  std::optional<Prover> prover;  // of vectors with a hat
   std::map<std::string, std::string> names;
   for (const Vocabulary::Word& word : front.notation.vocabulary.words())
     if (word.tex.empty()) names.emplace(key_of(word.name), word.name);  // as it is printed
@@ -424,7 +424,7 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
     else if (means && symbol.math.root && looks_like_digit(*symbol.math.root))
       refuse("is printed as a letter that looks like a digit", "take another letter");
     else if (means && symbol.math.root && has_hat(*symbol.math.root) &&
-             !may_be_unit_vector(entry.key, symbol, front))
+             !may_be_unit_vector(entry.key, symbol, front, prover))
       refuse("has a hat, and is no vector of length 1", "take a letter without one: \\vec n, or n");
     else if ((means || is_quantity(entry.key)) && is_like_differential(tex))
       refuse("reads as a differential", "take a letter without a d before it");
@@ -432,7 +432,7 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
              word != nullptr && word->constant() && is_letter_of_state(letter) && !has_index_of_value(tex))
       refuse("is a constant, and is printed as what changes with the motion, or is known of the body",
              "a value that does not change has an index: E_0, \\omega_\\text{max}");
-    else if (const auto by_others = means && !has_twin(entry.key, tex)
+    else if (const auto by_others = means && !has_twin(tex)
                                         ? meaning_by_others(entry.key, symbol.tex, front, texts)
                                         : std::nullopt)
       refuse("is known already: the other symbols make it " + *by_others, "take another letter");

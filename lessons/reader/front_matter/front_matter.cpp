@@ -446,7 +446,7 @@ void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, 
   if (symbol.means.empty()) front.notation.vocabulary.print_as(entry.key, without_macros(symbol.tex));
   // By its name, where that is a word: it is written as that.
   const bool is_word = front.notation.vocabulary.find(entry.key) != nullptr;
-  front.notation.symbols.push_back({entry.key, symbol.math, is_word ? "" : symbol.means});
+  front.notation.symbols.push_back(equation_symbol(entry.key, symbol.math, is_word ? "" : symbol.means));
   front.symbols.insert_or_assign(entry.key, std::move(symbol));
 }
 

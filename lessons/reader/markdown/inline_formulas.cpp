@@ -42,9 +42,13 @@ std::optional<Math> TextReader::parse(const LocatedText& text, std::size_t begin
   };
   if (!has_room_for(end - begin <= kMaxMathBytes ? end - begin : 0))
     return std::nullopt;  // refused for itself
-  auto math = parse_math(std::string_view(text.text()).substr(begin, end - begin), macros);
+  const std::pair<std::size_t, std::string> key{macros.size(), text.text().substr(begin, end - begin)};
+  if (const auto known = known_formulas_.find(key); known != known_formulas_.end())
+    return has_room_for(known->second.made) ? std::optional(known->second) : std::nullopt;
+  auto math = parse_math(key.second, macros);
   if (math) {
     const bool has_room = has_room_for(math->made);
+    if (math->live.empty()) known_formulas_.emplace(key, *math);
     return has_room && take_numbers_of(*math, text, begin, may_compute) ? std::optional(std::move(*math))
                                                                         : std::nullopt;
   }

@@ -15,6 +15,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace polhode {
@@ -107,6 +108,9 @@ class TextReader {
   };
   std::optional<Language> language_;
   std::vector<ComputedNumber> numbers_;
+  /// Formulas of the lesson that were read, by their TeX and how many macros there were: \vec\omega stands
+  /// everywhere.
+  std::map<std::pair<std::size_t, std::string>, Math, std::less<>> known_formulas_;
   std::size_t math_bytes_ = 0;
   std::size_t spans_ = 0;
 };

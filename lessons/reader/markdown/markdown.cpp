@@ -7,6 +7,7 @@
 #include <md4c.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 namespace polhode {
@@ -74,10 +75,13 @@ LinePrefix prefix_of(std::string_view line, int limit) {
 }
 
 void blank_out(std::string& text, std::size_t begin, std::size_t end) {
-  constexpr std::string_view kInlineMarks = "*_`[]()!&\\<>~|@$:";
-  for (std::size_t i = begin; i < end; ++i) {
-    if (kInlineMarks.find(text[i]) != std::string_view::npos) text[i] = 'x';
-  }
+  static constexpr auto kIsInlineMark = [] {
+    std::array<bool, 256> is_mark{};
+    for (const char c : std::string_view("*_`[]()!&\\<>~|@$:")) is_mark[static_cast<unsigned char>(c)] = true;
+    return is_mark;
+  }();
+  for (std::size_t i = begin; i < end; ++i)
+    if (kIsInlineMark[static_cast<unsigned char>(text[i])]) text[i] = 'x';
 }
 
 // Where the inline content of a line begins: after what makes blocks.

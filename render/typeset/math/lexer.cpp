@@ -188,7 +188,7 @@ void MathTokens::error(const MathToken& at, std::string message, std::string hin
 
 /// Until the first token is no macro.
 void MathTokens::expand() {
-  while (!ahead_.empty() && ahead_.back().kind == MathToken::Kind::command) {
+  while (!ahead_.empty() && ahead_.back().kind == MathToken::Kind::command && !ahead_.back().is_no_macro) {
     const MathToken call = ahead_.back();
     const auto author = macros_.find(call.name);
     const MathCommand* known = math_command(call.name);
@@ -202,6 +202,7 @@ void MathTokens::expand() {
       name = known->name;
       text = known->text;
     } else {
+      ahead_.back().is_no_macro = true;
       return;
     }
     ahead_.pop_back();

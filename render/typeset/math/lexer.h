@@ -27,11 +27,12 @@ class MathErrors {
 struct MathToken {
   enum class Kind : std::uint8_t { end, character, command, open, close, space, parameter };
   Kind kind = Kind::end;
-  char32_t character = 0;  ///< of a parameter its number
-  std::string_view name;   ///< of a command, without backslash
-  SourceSpan span;         ///< of what a macro stands for: the whole call
-  int origin = -1;         ///< index of the expansion it comes from
-  std::uint32_t body = 0;  ///< byte of what the macro of that expansion stands for
+  char32_t character = 0;    ///< of a parameter its number
+  std::string_view name;     ///< of a command, without backslash
+  SourceSpan span;           ///< of what a macro stands for: the whole call
+  int origin = -1;           ///< index of the expansion it comes from
+  std::uint32_t body = 0;    ///< byte of what the macro of that expansion stands for
+  bool is_no_macro = false;  ///< it was looked up: a token is peeked at many times
 
   bool is(char32_t c) const { return kind == Kind::character && character == c; }
   bool is_command(std::string_view n) const { return kind == Kind::command && name == n; }
