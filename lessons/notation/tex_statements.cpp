@@ -287,9 +287,25 @@ class StatementReader {
       return side;
     } catch (const TexFault&) {
       terms_.labels = nullptr;
+      if (auto value = value_at_start(items)) {
+        side.value = std::move(value);
+        side.at_s = 0.0;
+        return side;
+      }
       note_what_is_not_read(items);
       return std::nullopt;
     }
+  }
+
+  /// "T_0", where the lesson has no such symbol: T as the motion begins.
+  std::optional<TexValue> value_at_start(Items items) {
+    if (items.size() != 1 || items.front().kind != ItemKind::operand || items.front().sub == nullptr)
+      return std::nullopt;
+    const MathNode& index = without_groups(*items.front().sub);
+    if (index.kind != MathNode::Kind::symbol || index.character != U'0') return std::nullopt;
+    TexItem bare = items.front();
+    bare.sub = nullptr;
+    return value_before(Items(&bare, 1));
   }
 
   /// A quantity by itself, such as T or \vec\omega: of I_1(2) nobody knows that it is no product.

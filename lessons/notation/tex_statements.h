@@ -15,7 +15,7 @@ namespace polhode {
 struct StatedSide {
   std::optional<Expression> is;      ///< of a number with its unit that of SI; nothing: it is the time, t
   std::optional<TypedNumber> typed;  ///< of a number that stands alone
-  std::optional<double> at_s{};      ///< of "T(2)", "T(t = 2\\,\\text{s})": when
+  std::optional<double> at_s{};      ///< of "T(2)", "T(t = 2\\,\\text{s})": when; of "T_0" 0
 
   bool is_time() const { return !is; }
 };

@@ -172,6 +172,13 @@ class ClaimCheck {
       statement_check_.check_text(text, motions);
     if (of != TextOf::prompt)
       statement_check_.check_typed_numbers(text, motions);  // what is given is the question's
+    if (step.scene && !step.scene->beside.empty() && !numbers_in(text).empty())
+      statement_check_.check_whose(text, motions_of(step), step.scene->before);
+    check_computed(text, step);
+  }
+
+  /// What is printed around numbers that are computed.
+  void check_computed(const RichText& text, const Step& step) {
     if (numbers_in(text).empty()) return;
     number_check_.check_computed_tables(text);
     if (step.scene && model_of(step) != nullptr) number_check_.check_text(text, motion_of(step));
@@ -202,7 +209,7 @@ class ClaimCheck {
     const RichText* first = caption_of(step, step.scene->before);
     if (first != nullptr) {
       check_numbers(numbers_in(*first), step);
-      check_text(*first, step);
+      check_computed(*first, step);
     }
     check_typed_captions(step, shown);
     std::vector<SceneModel> models;
@@ -236,16 +243,70 @@ class ClaimCheck {
       if (label) check_text(*label, step);
   }
 
-  /// Numbers that an author typed into the captions, on the motions that they stand below.
+  /// What an author typed into the captions, on the motions that they stand below: all along these, where
+  /// that is not said to be so at the still alone.
   void check_typed_captions(const Step& step, const std::vector<const Scene*>& shown) {
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const RichText* caption = caption_of(step, i);
-      if (caption == nullptr || !number_check_.has_typed_numbers(*caption)) continue;
-      Scene alone = *shown[i];
-      alone.beside.clear();
-      alone.before = 0;
-      const SceneModel model = make_model(alone, ModelFor::figure, effort_);
-      number_check_.check_typed(*caption, model, still_time_s(*step.scene), step.place);
+      if (caption == nullptr) continue;
+      std::optional<SceneModel> model;
+      const auto motion = [&] {
+        if (!model) {
+          Scene alone = *shown[i];
+          alone.beside.clear();
+          alone.before = 0;
+          model.emplace(make_model(alone, ModelFor::figure, effort_));
+        }
+        return std::vector<ShownMotion>{{*model, still_time_s(*step.scene)}};
+      };
+      const bool is_always = shown[i]->caption_when == CaptionWhen::always;
+      const SaidOf when = is_always ? SaidOf::start_or_all_times : SaidOf::some_time;
+      const auto is_same = [&](const Scene* one) { return one->caption == shown[i]->caption; };
+      const bool is_shared = shown.size() > 1 && std::all_of(shown.begin(), shown.end(), is_same);
+      const StatementCheck::Motions motions =
+          is_shared ? StatementCheck::Motions([&] { return motions_of(step); }) : motion;
+      if (i == 0 || !is_shared) {  // one that stands once below all may speak of each
+        statement_check_.check_text(*caption, motions, when);
+        statement_check_.check_typed_numbers(*caption, motions, when);
+      }
+      if (is_always) check_values_always(*caption, motion);
+      if (!number_check_.has_typed_numbers(*caption)) continue;
+      number_check_.check_typed(*caption, motion().front().model, still_time_s(*step.scene), step.place);
+    }
+  }
+
+  /// A number that is typed below a film is so as long as it plays.
+  void check_values_always(const RichText& caption, const StatementCheck::Motions& motions) {
+    const auto is_typed = [&](int id) { return lesson_.numbers[static_cast<std::size_t>(id)].is_typed(); };
+    const std::vector<int> all = numbers_in(caption);
+    if (std::none_of(all.begin(), all.end(), is_typed)) return;
+    const ShownMotion motion = motions().front();
+    for (const TextBlock& block : caption) {
+      const Sentences sentences(block.spans, lesson_.notation);
+      for (std::size_t i = 0; i < block.spans.size(); ++i) {
+        if (block.spans[i].math.live.empty() ||
+            said_of(sentences.standing_of(i), SaidOf::start_or_all_times) == SaidOf::some_time)
+          continue;
+        for (const LiveNumber& live : block.spans[i].math.live)
+          if (is_typed(live.id))
+            check_value_always(lesson_.numbers[static_cast<std::size_t>(live.id)], motion);
+      }
+    }
+  }
+
+  void check_value_always(const ComputedNumber& number, const ShownMotion& motion) {
+    if (has_motion_words(number.expression)) return;
+    MotionNumbers start(motion.model, 0, effort_);
+    if (const auto value = value_of(number, start); value && !right_instead(number, *value)) return;
+    for (const double t_s : times_of(motion, SaidOf::all_times)) {
+      MotionNumbers numbers(motion.model, t_s, effort_);
+      const auto value = value_of(number, numbers);
+      if (!value || !right_instead(number, *value)) continue;
+      report_.error(number.place,
+                    "this caption stands below the motion as long as it plays, and at t = " + digits(t_s, 3) +
+                        " s its number is " + digits(*value, kDigitsOfHint),
+                    "write \\live{…}, say when it is so, or caption_when = \"still\"");
+      return;
     }
   }
 
@@ -283,15 +344,29 @@ class ClaimCheck {
       if (lesson_.numbers[static_cast<std::size_t>(id)].row)
         spend_on(lesson_.numbers[static_cast<std::size_t>(id)]);
     const std::map<int, double> values = values_in_tables(lesson_.numbers, ids, effort_);
+    std::map<const TableRow*, bool> is_followed;
     for (const int id : ids) {
       const ComputedNumber& number = lesson_.numbers[static_cast<std::size_t>(id)];
       if (!number.row || values.contains(id)) continue;
+      const auto [row, is_new] = is_followed.emplace(number.row.get(), true);
+      if (is_new) row->second = check_is_followed(*number.row);
+      if (!row->second) continue;
       report_.warning(number.row->place,
                       in_quotes(number.written.expression) +
                           " is not defined on the motion of this row at t = " +
                           digits(number.row->scene.at_s, 3) + " s, and the table has a dash there",
                       "leave the row out, or give the column another \"of\"");
     }
+  }
+
+  /// False, and an error, where the motion of a row does not reach the time of its numbers.
+  bool check_is_followed(const TableRow& row) {
+    const SceneModel model = make_model(row.scene, ModelFor::numbers, effort_);
+    if (is_computable(model, row.scene.at_s)) return true;
+    report_.error(row.place,
+                  "the motion of this row cannot be followed to t = " + digits(row.scene.at_s, 7) + " s",
+                  "choose an earlier time, or a larger tolerance");
+    return false;
   }
 
   void spend_on(const ComputedNumber& number) const {

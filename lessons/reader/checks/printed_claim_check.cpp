@@ -37,6 +37,7 @@ class PrintedClaimCheck {
     else {
       check_is_not_empty(claim, report_);
       compare_relations(claim, (*named)->math);
+      if (claim.in_other_words) check_indices(claim, (*named)->math);
       if (!claim.in_other_words) compare_letters(claim, (*named)->math);
       if (!claim.in_other_words) compare_factors(claim, (*named)->math);
     }
@@ -92,6 +93,22 @@ class PrintedClaimCheck {
                       "the formula says " + in_quotes(sign_of(*unclaimed.begin())) +
                           " of two things, and no line of the claim does",
                       "claim what is printed");
+  }
+
+  /// T_0 is not T, in whatever words that is claimed.
+  void check_indices(const Claim& claim, const Math& formula) const {
+    const std::set<std::string> shown = letters_in(formula, lesson_.notation, IndexedLetters::as_printed);
+    for (const ClaimLine& line : claim.lines)
+      for (const Expression* side : {&line.equality.left, &line.equality.right})
+        for (const std::string& letter : letters_in(*side)) {
+          if (shown.contains(letter)) continue;
+          const auto other = std::find_if(shown.begin(), shown.end(),
+                                          [&](const std::string& one) { return one == letter + "_0"; });
+          if (other != shown.end())
+            return report_.warning(claim.place,
+                                   "the claim speaks of " + letter + ", and the formula of " + *other,
+                                   "say with `means` what " + *other + " is, or claim what is printed");
+        }
   }
 
   void compare_letters(const Claim& claim, const Math& formula) const {

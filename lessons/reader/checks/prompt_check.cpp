@@ -19,9 +19,37 @@ namespace {
 
 constexpr int kDigitsOfHint = 6;
 
+/// What stands behind "Find" at the beginning of a prompt, up to the end of its sentence; empty of other
+/// prompts.
+std::vector<TextSpan> what_is_to_be_found(const RichText& prompt) {
+  if (prompt.empty() || prompt.front().spans.empty()) return {};
+  std::vector<TextSpan> found = prompt.front().spans;
+  if (found.front().kind != TextSpan::Kind::text) return {};
+  std::string& begin = found.front().text;
+  constexpr std::array<std::string_view, 8> kVerbs{"Find ", "Compute ",  "Calculate ", "Determine ",
+                                                   "Give ", "Work out ", "State ",     "Evaluate "};
+  const auto verb = std::find_if(kVerbs.begin(), kVerbs.end(),
+                                 [&](std::string_view word) { return begin.starts_with(word); });
+  if (verb == kVerbs.end()) return {};
+  begin.erase(0, verb->size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i].kind != TextSpan::Kind::text) continue;
+    std::string& text = found[i].text;
+    std::size_t end = text.size();
+    for (const std::string_view stop :
+         {".", ",", ":", ";", "!", " in terms of", " using ", " in joules", " in degrees", " in seconds"})
+      end = std::min(end, text.find(stop));
+    if (end == text.size()) continue;
+    text.erase(end);
+    found.resize(i + 1);
+  }
+  if (found.back().kind == TextSpan::Kind::text) take_unit_at_end(found.back().text);
+  return found;
+}
+
 /// What stands behind "what is" in the last question of a prompt, up to its sign; empty of other prompts.
 std::vector<TextSpan> what_is_asked(const RichText& prompt) {
-  std::vector<TextSpan> asked;
+  std::vector<TextSpan> asked = what_is_to_be_found(prompt);
   for (const TextBlock& block : prompt) {
     std::vector<TextSpan> behind;
     bool is_behind = false;

@@ -118,28 +118,107 @@ void StatementCheck::begin_stage(const Stage& stage) {
       for (const ClaimLine& line : claim->lines) claimed_.push_back(&line);
 }
 
-void StatementCheck::check_text(const RichText& text, const Motions& motions) {
-  check_lines(text, motions, false);
+void StatementCheck::check_text(const RichText& text, const Motions& motions, SaidOf when) {
+  check_lines(text, motions, false, when);
 }
 void StatementCheck::check_choice(const RichText& text, const Motions& motions) {
-  check_lines(text, motions, true);
+  check_lines(text, motions, true, SaidOf::some_time);
 }
 
-void StatementCheck::check_lines(const RichText& text, const Motions& motions, bool is_choice) {
+namespace {
+
+/// What the motions that stand side by side may be called: "the second body", "the coin" where the others
+/// are none.
+std::vector<CalledBy> names_of(const std::vector<ShownMotion>& motions) {
+  constexpr std::array<const char*, 3> kOrdinals{"first", "second", "third"};
+  constexpr std::array<const char*, 2> kSides{"left", "right"};
+  std::vector<CalledBy> names(motions.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    for (const char* noun : {"body", "scene", "picture", "figure", "motion", "top", "one"}) {
+      if (i < kOrdinals.size()) names[i].push_back({kOrdinals[i], noun});
+      if (i < kSides.size() && motions.size() == kSides.size()) names[i].push_back({kSides[i], noun});
+    }
+    const std::string& name = motions[i].model.scene.body.name;
+    const auto has_name = [&](const ShownMotion& one) { return one.model.scene.body.name == name; };
+    if (std::count_if(motions.begin(), motions.end(), has_name) > 1) continue;
+    std::vector<std::string> words{"the"};
+    for (std::size_t at = 0; at <= name.size();) {
+      const std::size_t end = std::min(name.find_first_of("-_", at), name.size());
+      words.push_back(in_small_letters(name.substr(at, end - at)));
+      at = end + 1;
+    }
+    names[i].push_back(std::move(words));
+  }
+  return names;
+}
+
+/// Of several motions the one that the clause of a span names; all of them where it names none.
+StatementCheck::Motions motions_meant(const Sentences& sentences, std::size_t span,
+                                      const StatementCheck::Motions& motions) {
+  return [&sentences, span, &motions] {
+    const std::vector<ShownMotion> all = motions();
+    const auto named = all.size() > 1 ? sentences.thing_named(span, names_of(all)) : std::nullopt;
+    return named ? std::vector<ShownMotion>{all[*named]} : all;
+  };
+}
+
+}  // namespace
+
+SaidOf said_of(const Standing& standing, SaidOf when) {
+  if (standing.at_s) return SaidOf::some_time;
+  if (standing.is_always) return SaidOf::all_times;
+  return standing.is_of_moment ? SaidOf::some_time : when;
+}
+
+void StatementCheck::check_whose(const RichText& text, const std::vector<ShownMotion>& motions,
+                                 std::size_t own) {
+  if (motions.size() < 2 || own >= motions.size()) return;
+  const std::vector<CalledBy> names = names_of(motions);
+  for_each_line(text, lesson_, [&](const std::vector<TextSpan>& spans) {
+    std::optional<Sentences> sentences;
+    for (std::size_t i = 0; i < spans.size() && !report_.is_full(); ++i) {
+      if (spans[i].math.live.empty()) continue;
+      if (!sentences) sentences.emplace(spans, lesson_.notation);
+      const auto named = sentences->thing_named(i, names);
+      if (!named || *named == own) continue;
+      for (const LiveNumber& live : spans[i].math.live) {
+        const ComputedNumber& number = lesson_.numbers[static_cast<std::size_t>(live.id)];
+        if (number.row) continue;
+        const auto value_on = [&](const ShownMotion& motion) {
+          MotionNumbers numbers(motion.model, motion.still_s, effort_);
+          return value_of(number, numbers);
+        };
+        const auto here = value_on(motions[own]), there = value_on(motions[*named]);
+        if (!here || !there || std::abs(*here - *there) <= kRounding * (std::abs(*here) + std::abs(*there)))
+          continue;
+        report_.error(number.place,
+                      "this number is that of the step's own scene, " + digits(*here, kDigitsOfHint) +
+                          ", and another one is named beside it, of which it is " +
+                          digits(*there, kDigitsOfHint),
+                      "write it into the caption of that scene, whose numbers are its own");
+      }
+    }
+  });
+}
+
+void StatementCheck::check_lines(const RichText& text, const Motions& all_motions, bool is_choice,
+                                 SaidOf when) {
   for_each_line(text, lesson_, [&](const std::vector<TextSpan>& spans) {
     const auto is_formula = [](const TextSpan& span) { return span.kind == TextSpan::Kind::math; };
     if (std::none_of(spans.begin(), spans.end(), is_formula)) return;
     const Sentences sentences(spans, lesson_.notation);
     for (std::size_t i = 0; i < spans.size() && !report_.is_full(); ++i) {
       if (!is_formula(spans[i])) continue;
-      const Standing standing = sentences.standing_of(i);
+      Standing standing = sentences.standing_of(i);
+      const SaidOf said_when = said_of(standing, when);
+      const Motions motions = motions_meant(sentences, i, all_motions);
       const bool goes_on =
           i + 1 < spans.size() && spans[i + 1].kind == TextSpan::Kind::text && !spans[i].break_after;
       check_scripts(spans[i].math, spans[i].source.begin);
       // "$\\vec\\omega = (0, 2, 0)$" chosen is a state.
       if (is_choice && spans.size() == 1 && !sentences.stated(i).components.empty()) continue;
       const Context context{standing, spans[i].text, spans[i].source.begin,
-                            goes_on ? unit_behind(spans[i + 1].text) : ""};
+                            goes_on ? unit_behind(spans[i + 1].text) : "", said_when};
       check(sentences.stated(i), context, motions);
       if (!standing.is_stated) continue;
       for (const StatedLink& said : said_of_formula(spans, i, lesson_)) check(said, context, motions);
@@ -175,11 +254,51 @@ std::optional<Relation> take_verb_behind_unit(std::vector<TextSpan>& clause) {
 
 }  // namespace
 
-void StatementCheck::check_typed_numbers(const RichText& text, const Motions& motions) {
+/// "The tilt stays between 20° and 30°": true where that is what is said of these two numbers; an error if it
+/// is not so.
+bool StatementCheck::check_range(const std::vector<TextSpan>& spans, std::size_t at, const Motions& motions,
+                                 SaidOf when) {
+  constexpr std::size_t kToOther = 2;
+  const auto is_formula = [&](std::size_t i) {
+    return i < spans.size() && spans[i].kind == TextSpan::Kind::math;
+  };
+  if (!is_formula(at) || is_formula(at + 1) || !is_formula(at + kToOther)) return false;
+  auto low = read_typed(spans[at].math), high = read_typed(spans[at + kToOther].math);
+  std::string_view between = without_blanks(spans[at + 1].text);
+  if (!low || !high || !between.ends_with("and")) return false;
+  between = without_blanks(between.substr(0, between.size() - std::string_view("and").size()));
+  if (!between.empty() && whole_unit(between).empty()) return false;
+  if (low->unit.empty()) low->unit = whole_unit(between);
+  if (const std::size_t behind = at + kToOther + 1;
+      high->unit.empty() && behind < spans.size() && !is_formula(behind))
+    high->unit = unit_behind(spans[behind].text);
+  std::vector<TextSpan> clause = clause_before(spans, at);
+  const auto of_all_times = take_between(clause);
+  const auto said = of_all_times ? quantity_said_at_end(clause, lesson_) : std::nullopt;
+  if (!said) return false;
+  const Sentences sentences(spans, lesson_.notation);
+  const Standing standing = sentences.standing_of(at);
+  if (!standing.is_stated) return true;
+  when = *of_all_times && !standing.at_s ? SaidOf::all_times : said_of(standing, when);
+  const auto is_so = is_between(*said, *low, *high, motions_meant(sentences, at, motions)(), effort_, when);
+  if (!is_so.value_or(true))
+    report_.error(report_.source().place_of(
+                      std::min<std::size_t>(spans[at].source.begin, report_.source().text().size())),
+                  "this is stated and not so: " + said->text + " is not " +
+                      (when == SaidOf::all_times ? "always " : "") + "between these two numbers",
+                  "say between which it is, or when");
+  return true;
+}
+
+void StatementCheck::check_typed_numbers(const RichText& text, const Motions& all_motions, SaidOf when) {
   for_each_line(text, lesson_, [&](const std::vector<TextSpan>& line) {
     const std::vector<TextSpan> spans = with_numbers_apart(line);
-    std::optional<Sentences> sentences;
+    const Sentences sentences(spans, lesson_.notation);
     for (std::size_t i = 0; i < spans.size() && !report_.is_full(); ++i) {
+      if (check_range(spans, i, all_motions, when)) {
+        i += 2;  // the other number
+        continue;
+      }
       auto typed = spans[i].kind == TextSpan::Kind::math ? read_typed(spans[i].math) : std::nullopt;
       if (!typed) continue;
       const bool goes_on =
@@ -195,11 +314,12 @@ void StatementCheck::check_typed_numbers(const RichText& text, const Motions& mo
       auto said = is_joined ? quantity_said_at_end(clause, lesson_) : std::nullopt;
       std::vector<TextSpan> behind = clause_behind(spans, i);
       if (!said && (relation = take_verb_behind_unit(behind))) said = quantity_said(behind, lesson_);
+      const Motions motions = motions_meant(sentences, i, all_motions);
+      const Standing standing = sentences.standing_of(i);
       const auto is_of_said =
-          said ? is_number_of(*typed, *said, motions(), effort_, *relation) : std::nullopt;
+          said ? is_number_of(*typed, *said, motions(), effort_, *relation, said_of(standing, when))
+               : std::nullopt;
       if (is_of_said ? *is_of_said : is_known_number(*typed, lesson_, motions(), effort_)) continue;
-      if (!sentences) sentences.emplace(spans, lesson_.notation);
-      const Standing standing = sentences->standing_of(i);
       // "A coin of 5 g" is not the body that is shown.
       if (!standing.is_stated || (standing.has_kind_of_body && !is_of_said)) continue;
       refuse_number(*typed, spans[i].source.begin,
@@ -208,7 +328,7 @@ void StatementCheck::check_typed_numbers(const RichText& text, const Motions& mo
     }
   });
   for (const TextBlock& block : text)
-    if (!has_own_motions(block.table, lesson_)) check_table(block.table, motions);
+    if (!has_own_motions(block.table, lesson_)) check_table(block.table, all_motions);
 }
 
 namespace {
@@ -419,29 +539,38 @@ std::string StatementCheck::why_not(const StatedLink& link, const ShownMotion& m
   return "";
 }
 
-std::string StatementCheck::why_not(const std::vector<StatedLink>& links, const Standing& standing,
+std::string StatementCheck::why_not(const std::vector<StatedLink>& links, const Context& context,
                                     const std::vector<ShownMotion>& motions) const {
+  const Standing& standing = context.standing;
   // What does not change, and what is nowhere so, is told at several times of the motion.
   const auto is_of_all = [](const StatedLink& link) { return link.is_of_all_times; };
-  const bool is_of_all_times = std::any_of(links.begin(), links.end(), is_of_all);
+  const bool is_constant = std::any_of(links.begin(), links.end(), is_of_all),
+             is_of_all_times = is_constant || context.when != SaidOf::some_time;
   std::string first;
   for (const ShownMotion& motion : motions) {
-    std::vector<double> times_s{motion.still_s, 0.0};
+    std::vector<double> times_s =
+        polhode::times_of(motion, is_of_all_times ? SaidOf::all_times : SaidOf::some_time);
     if (standing.at_s) times_s = {*standing.at_s};
-    if (is_of_all_times) times_s = {motion.still_s, 0.37 * motion.model.span_s, 0.81 * motion.model.span_s};
+    if (is_constant) times_s = {motion.still_s, 0.37 * motion.model.span_s, 0.81 * motion.model.span_s};
     std::string of_motion;
     bool is_so = is_of_all_times;
-    for (const double t_s : times_s) {
+    const auto why_at = [&](double t_s) -> std::optional<std::string> {  // nothing: it cannot be told
       const auto live = live_state(motion.model, t_s);
-      if (!live) continue;
+      if (!live) return std::nullopt;
       std::string why;
       for (const StatedLink& link : links)
         if (why.empty())
           why = link.is_of_a_time() || link.is_in_words ? why_not(link, motion, t_s) : why_not(link, *live);
-      if (why.empty() && !is_of_all_times) return "";
-      if (why.empty()) continue;
+      return why;
+    };
+    if (context.when == SaidOf::start_or_all_times && !is_constant && why_at(0) == "") return "";
+    for (const double t_s : times_s) {
+      const auto why = why_at(t_s);
+      if (!why) continue;
+      if (why->empty() && !is_of_all_times) return "";
+      if (why->empty()) continue;
       is_so = false;
-      if (of_motion.empty()) of_motion = "at t = " + digits(t_s, 3) + " s " + why;
+      if (of_motion.empty()) of_motion = "at t = " + digits(t_s, 3) + " s " + *why;
     }
     if (is_so) return "";
     if (first.empty()) first = of_motion;
@@ -480,8 +609,8 @@ void StatementCheck::check(const StatedComponents& components, const Context& co
     };
     if (std::all_of(links.begin(), links.end(), holds)) return;
   }
-  const std::string on_body = why_not(readings[0], context.standing, motions());
-  if (!on_body.empty() && why_not(readings[1], context.standing, motions()).empty()) return;
+  const std::string on_body = why_not(readings[0], context, motions());
+  if (!on_body.empty() && why_not(readings[1], context, motions()).empty()) return;
   refuse_on_motion(components.on_body.front(), context, motions,
                    on_body.empty() ? "" : "on the axes of the body " + on_body);
 }
@@ -517,7 +646,7 @@ void StatementCheck::check(const StatedLink& link, const Context& context, const
              holds_in_general(stated, context.standing, motions)) {
     return;
   }
-  refuse_on_motion(link, context, motions, why_not({stated}, context.standing, motions()));
+  refuse_on_motion(link, context, motions, why_not({stated}, context, motions()));
 }
 
 }  // namespace polhode

@@ -153,28 +153,66 @@ double rounded_off(const TypedNumber& number, Relation relation) {
   return relation == Relation::approximate ? half : std::min(half, kOfWhole * std::abs(number.value));
 }
 
+std::vector<double> times_of(const ShownMotion& motion, SaidOf when) {
+  if (when == SaidOf::some_time) return {motion.still_s, 0.0};
+  std::vector<double> times_s{motion.still_s};
+  for (int i = 0; i < kMeasuredTimes; ++i) times_s.push_back(motion.model.span_s * i / (kMeasuredTimes - 1));
+  return times_s;
+}
+
+namespace {
+
+/// Whether what is asked of a value is so on one of the motions: at one of the times, or at all.
+template <class IsSo>
+std::optional<bool> is_so_on(const std::vector<ShownMotion>& motions, const Expression& quantity,
+                             const Effort& effort, SaidOf when, const IsSo& is_so_of) {
+  std::optional<bool> is_so;
+  for (const ShownMotion& motion : motions) {
+    std::optional<bool> on_motion;
+    const auto is_so_at = [&](double t_s) -> std::optional<bool> {
+      MotionNumbers numbers(motion.model, t_s, effort);
+      const auto value = numbers.value_of(quantity);
+      return value ? std::optional(is_so_of(*value)) : std::nullopt;
+    };
+    if (when == SaidOf::start_or_all_times && is_so_at(0).value_or(false)) return true;
+    for (const double t_s : times_of(motion, when)) {
+      const auto is_so_now = is_so_at(t_s);
+      if (!is_so_now) continue;
+      on_motion = when == SaidOf::some_time ? on_motion.value_or(false) || *is_so_now
+                                            : on_motion.value_or(true) && *is_so_now;
+    }
+    if (on_motion) is_so = is_so.value_or(false) || *on_motion;
+  }
+  return is_so;
+}
+
+}  // namespace
+
+std::optional<bool> is_between(const Expression& quantity, const TypedNumber& low, const TypedNumber& high,
+                               const std::vector<ShownMotion>& motions, const Effort& effort, SaidOf when) {
+  const ScaledUnit unit = scaled_unit(high.unit).value_or(ScaledUnit{});
+  const auto dimension = has_motion_words(quantity) ? std::nullopt : dimension_of(quantity, {}).dimension;
+  if (dimension && !high.unit.empty() && *dimension != unit.dimension) return false;
+  const double low_unit = scaled_unit(low.unit).value_or(unit).size;
+  const double least = low_unit * (low.value - rounded_off(low, Relation::approximate)),
+               most = unit.size * (high.value + rounded_off(high, Relation::approximate));
+  return is_so_on(motions, quantity, effort, when,
+                  [&](double value) { return value >= least && value <= most; });
+}
+
 std::optional<bool> is_number_of(const TypedNumber& number, const Expression& quantity,
                                  const std::vector<ShownMotion>& motions, const Effort& effort,
-                                 Relation relation) {
+                                 Relation relation, SaidOf when) {
   const ScaledUnit unit = scaled_unit(number.unit).value_or(ScaledUnit{});
   const auto dimension = has_motion_words(quantity) ? std::nullopt : dimension_of(quantity, {}).dimension;
   if (dimension && !number.unit.empty() && *dimension != unit.dimension) return false;
-  std::optional<bool> is_so;
-  for (const ShownMotion& motion : motions)
-    for (const double t_s : {motion.still_s, 0.0}) {
-      MotionNumbers numbers(motion.model, t_s, effort);
-      const auto value = numbers.value_of(quantity);
-      if (!value) continue;
-      const double typed = number.value * unit.size;
-      const bool is_so_now = relation == Relation::greater ? *value > typed
-                             : relation == Relation::less
-                                 ? *value < typed
-                                 : std::abs(std::abs(*value) / unit.size - std::abs(number.value)) <=
-                                           rounded_off(number, relation) &&
-                                       (number.value >= 0 || *value < 0);
-      is_so = is_so.value_or(false) || is_so_now;
-    }
-  return is_so;
+  return is_so_on(motions, quantity, effort, when, [&](double value) {
+    const double typed = number.value * unit.size;
+    if (relation == Relation::greater) return value > typed;
+    if (relation == Relation::less) return value < typed;
+    return std::abs(std::abs(value) / unit.size - std::abs(number.value)) <= rounded_off(number, relation) &&
+           (number.value >= 0 || value < 0);
+  });
 }
 
 bool is_known_number(const TypedNumber& number, const Lesson& lesson, const std::vector<ShownMotion>& motions,

@@ -27,10 +27,21 @@ bool is_known_number(const TypedNumber& number, const Lesson& lesson, const std:
 /// "is 3" nobody thinks that it is rounded, still less of "is 0": without "about" it is no more than 3 %.
 double rounded_off(const TypedNumber& number, Relation relation);
 
+/// When something is said to be so: at the still or as the motion begins; all along what is shown; or, below
+/// a picture that moves, either all along or of how the motion begins, by which motions are told apart.
+enum class SaidOf { some_time, all_times, start_or_all_times };
+/// The times of a motion that are then looked at; of all times those of films and of the window.
+std::vector<double> times_of(const ShownMotion& motion, SaidOf when);
+
 /// Whether it is the number of a quantity on one of these motions, as far as it is rounded off; nothing where
 /// none has a value of it. Of greater and less: whether the quantity is that.
 std::optional<bool> is_number_of(const TypedNumber& number, const Expression& quantity,
                                  const std::vector<ShownMotion>& motions, const Effort& effort,
-                                 Relation relation = Relation::equal);
+                                 Relation relation = Relation::equal, SaidOf when = SaidOf::some_time);
+
+/// Whether a quantity is between two numbers, as far as these are rounded off, on one of these motions;
+/// nothing where none has a value of it.
+std::optional<bool> is_between(const Expression& quantity, const TypedNumber& low, const TypedNumber& high,
+                               const std::vector<ShownMotion>& motions, const Effort& effort, SaidOf when);
 
 }  // namespace polhode

@@ -80,6 +80,12 @@ bool is_said_alone(std::string_view before, std::string_view behind, bool is_end
   return ends && std::find(kVerbs.begin(), kVerbs.end(), word) != kVerbs.end();
 }
 
+/// The word before a place, without the blanks between.
+std::string_view word_before(std::string_view text) {
+  text = without_blanks(text);
+  return text.substr(text.find_last_of(" \n") + 1);
+}
+
 /// ",000" behind up to three digits.
 bool begins_group(std::string_view text, std::size_t digits_before) {
   const auto digit_at = [&](std::size_t i) { return i < text.size() && is_digit(text[i]); };
@@ -106,10 +112,17 @@ std::vector<FoundNumber> numbers_in(const std::string& text, bool is_end) {
                                        text[begin - 1] == '^' || text[begin - 1] == '_');
     std::string_view behind = all.substr(i);
     const std::string power = take_power(behind);
-    if (is_part || !parse_number(digits) ||
-        (unit_behind(behind).empty() && !is_said_alone(all.substr(0, begin), behind, is_end)))
-      continue;
+    // "between 2 and 3"
     const std::size_t sign = size_of_sign(all.substr(0, begin));
+    const std::string_view before = all.substr(0, begin - sign);
+    const bool begins_range = word_before(before) == "between" && without_blanks(behind).starts_with("and ");
+    const std::size_t end_of_last = found.empty() ? 0 : found.back().offset + found.back().size;
+    const bool ends_range = !found.empty() && word_before(all.substr(0, found.back().offset)) == "between" &&
+                            without_blanks(before.substr(std::min(end_of_last, before.size()))) == "and";
+    if (is_part || !parse_number(digits) ||
+        (unit_behind(behind).empty() && !begins_range && !ends_range &&
+         !is_said_alone(all.substr(0, begin), behind, is_end)))
+      continue;
     found.push_back(
         {begin - sign, all.size() - behind.size() - begin + sign, (sign > 0 ? "-" : "") + digits + power});
     i = all.size() - behind.size();

@@ -74,9 +74,11 @@ std::optional<Relation> take_verb(std::vector<TextSpan>& clause) {
 
 std::optional<Relation> take_comparison(std::vector<TextSpan>& clause) {
   if (clause.empty() || clause.back().kind != TextSpan::Kind::text) return std::nullopt;
-  constexpr std::array<std::string_view, 5> kGreater{"is more than", "is greater than", "is larger than",
-                                                     "is above", "exceeds"};
-  constexpr std::array<std::string_view, 3> kLess{"is less than", "is smaller than", "is below"};
+  constexpr std::array<std::string_view, 8> kGreater{"is more than",  "is greater than", "is larger than",
+                                                     "is above",      "is at least",     "stays above",
+                                                     "remains above", "exceeds"};
+  constexpr std::array<std::string_view, 6> kLess{"is less than", "is smaller than", "is below",
+                                                  "is at most",   "stays below",     "remains below"};
   const std::string all = clause.back().text;
   std::string_view rest = without_blanks(all);
   const auto take = [&](std::string_view word) { return take_last_word(rest, word); };
@@ -84,6 +86,22 @@ std::optional<Relation> take_comparison(std::vector<TextSpan>& clause) {
   if (!is_greater && std::none_of(kLess.begin(), kLess.end(), take)) return std::nullopt;
   clause.back().text = std::string(rest);
   return is_greater ? Relation::greater : Relation::less;
+}
+
+std::optional<bool> take_between(std::vector<TextSpan>& clause) {
+  if (clause.empty() || clause.back().kind != TextSpan::Kind::text) return std::nullopt;
+  constexpr std::array<std::string_view, 11> kOfAllTimes{
+      "stays", "remains", "lies", "keeps", "varies", "moves", "swings", "oscillates", "goes", "runs", "nods"};
+  const std::string all = clause.back().text;
+  std::string_view rest = without_blanks(all);
+  const auto take = [&](std::string_view word) { return take_last_word(rest, word); };
+  if (!take("between")) return std::nullopt;
+  std::any_of(kAdverbs.begin(), kAdverbs.end(), take);
+  const bool is_of_all_times = std::any_of(kOfAllTimes.begin(), kOfAllTimes.end(), take);
+  if (!is_of_all_times && !take("is")) return std::nullopt;
+  std::any_of(kAdverbs.begin(), kAdverbs.end(), take);
+  clause.back().text = std::string(rest);
+  return is_of_all_times;
 }
 
 std::vector<TextSpan> clause_behind(const std::vector<TextSpan>& line, std::size_t at) {

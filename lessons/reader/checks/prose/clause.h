@@ -21,6 +21,10 @@ std::optional<Relation> take_verb(std::vector<TextSpan>& clause);
 /// The same of "is more than", "exceeds", "is less than".
 std::optional<Relation> take_comparison(std::vector<TextSpan>& clause);
 
+/// The same of "stays between", "lies between", "varies between": whether it is meant of all times; nothing
+/// of other words.
+std::optional<bool> take_between(std::vector<TextSpan>& clause);
+
 /// The stretches of the clause behind one of a line, up to the stop or comma that ends it.
 std::vector<TextSpan> clause_behind(const std::vector<TextSpan>& line, std::size_t at);
 /// Cut off the beginning of a clause what joins it to what stands before, "is", "is always", "equals".

@@ -162,6 +162,13 @@ Sentences::Range Sentences::sentence_around(std::size_t part) const {
   return range;
 }
 
+Sentences::Range Sentences::clause_around(std::size_t part, Range sentence) const {
+  Range clause{part, part + 1};
+  while (clause.begin > sentence.begin && parts_[clause.begin - 1].kind != Kind::pause) --clause.begin;
+  while (clause.end < sentence.end && parts_[clause.end].kind != Kind::pause) ++clause.end;
+  return clause;
+}
+
 /// "if any", "where possible", "when we look", "once more" suppose nothing.
 bool Sentences::is_condition(std::size_t conjunction, Range sentence) const {
   const SentencePart& word = parts_[conjunction];
@@ -337,15 +344,64 @@ Standing Sentences::standing_of(std::size_t span) const {
   // Words in the formula may part it to several clauses: each of its equations is looked at.
   for (std::size_t own = sentence.begin; own < sentence.end && standing.is_stated; ++own) {
     if (!is_own(parts_[own]) || !parts_[own].is_formula()) continue;
-    Range clause{own, own + 1};
-    while (clause.begin > sentence.begin && parts_[clause.begin - 1].kind != Kind::pause) --clause.begin;
-    while (clause.end < sentence.end && parts_[clause.end].kind != Kind::pause) ++clause.end;
-    if (is_denied(clause, own)) standing.is_stated = false;
+    if (is_denied(clause_around(own, sentence), own)) standing.is_stated = false;
   }
   const std::size_t own = static_cast<std::size_t>(first - parts_.begin());
   if (is_supposed(sentence, own)) standing.is_stated = false;
   standing.has_kind_of_body = has_kind_of_body(sentence);
+  const Range clause = clause_around(own, sentence);
+  for (std::size_t i = sentence.begin; i < sentence.end; ++i) {
+    const SentencePart& part = parts_[i];
+    const bool is_in_clause = i >= clause.begin && i < clause.end;
+    const bool is_all_the_time =
+        i + 1 < clause.end && (is_one_of(part, {"all", "every"})) &&
+        (is_one_of(parts_[i + 1], {"times", "time", "moment", "instant"}) ||
+         (i + 2 < clause.end && is_one_of(parts_[i + 1], {"the"}) && is_one_of(parts_[i + 2], {"time"})));
+    if (is_in_clause &&
+        (is_all_the_time || is_one_of(part, {"always", "throughout", "stays", "remains", "constantly"})))
+      standing.is_always = true;
+    const bool is_after_seconds =
+        is_one_of(part, {"at", "after", "for"}) && i + 2 < sentence.end && parts_[i + 1].kind == Kind::word &&
+        is_digit(parts_[i + 1].word.front()) &&
+        is_one_of(parts_[i + 2], {"s", "ms", "seconds", "second", "min", "minutes"});
+    if (is_after_seconds ||
+        is_one_of(part, {"start", "starts", "started", "begin", "begins", "began", "beginning", "initial",
+                         "initially", "becomes", "became", "reaches", "end", "ends", "finally", "first"}))
+      standing.is_of_moment = true;
+  }
   return standing;
+}
+
+std::optional<std::size_t> Sentences::thing_named(std::size_t span,
+                                                  const std::vector<CalledBy>& things) const {
+  const auto first =
+      std::find_if(parts_.begin(), parts_.end(), [&](const SentencePart& part) { return part.span == span; });
+  if (first == parts_.end()) return std::nullopt;
+  const auto own = static_cast<std::size_t>(first - parts_.begin());
+  const Range clause = clause_around(own, sentence_around(own));
+  const auto stands_at = [&](const std::vector<std::string>& words, std::size_t at) {
+    if (at + words.size() > clause.end) return false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const SentencePart& part = parts_[at + i];
+      const bool is_owner = part.word == words[i] + "'s" || part.word == words[i] + "’s";
+      if (part.kind != Kind::word || (part.word != words[i] && !is_owner)) return false;
+    }
+    return true;
+  };
+  std::optional<std::size_t> named;
+  for (std::size_t i = clause.begin; i < clause.end;) {
+    std::size_t size = 0, thing = 0;
+    for (std::size_t k = 0; k < things.size(); ++k)
+      for (const auto& words : things[k])
+        if (words.size() > size && stands_at(words, i)) size = words.size(), thing = k;
+    const bool is_of_another =
+        is_one_of(parts_[i], {"first", "second", "third", "other", "former", "latter", "both", "each"});
+    if (size == 0 && is_of_another) return std::nullopt;
+    if (size > 0 && named.value_or(thing) != thing) return std::nullopt;
+    if (size > 0) named = thing;
+    i += std::max<std::size_t>(size, 1);
+  }
+  return named;
 }
 
 }  // namespace polhode

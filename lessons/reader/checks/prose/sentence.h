@@ -38,7 +38,12 @@ struct Standing {
   std::optional<double> at_s;     ///< "at $t = 2$ s": when
   std::string words;              ///< of the sentence, small letters, one blank between two
   bool has_kind_of_body = false;  ///< "a sphere", "an egg", "any coin": not "a body"
+  bool is_always = false;         ///< "always", "stays", "at all times" in its own clause
+  bool is_of_moment = false;  ///< "it begins with", "at the start", "after 3 s", "becomes" in its sentence
 };
+
+/// One of several things, by the words that it may be called with: "second body", "the coin".
+using CalledBy = std::vector<std::vector<std::string>>;
 
 /// A line, taken apart to sentences. A sentence is free to say what is not so in general only where it says
 /// for what it is so; a universal word, "for every body", supposes nothing.
@@ -59,6 +64,9 @@ class Sentences {
   /// What the formula that is this span of the line says.
   const Statements& stated(std::size_t span) const { return stated_.at(span); }
   Standing standing_of(std::size_t span) const;
+  /// Of which of these things the clause of a span speaks: nothing where it names none or several, or has
+  /// another "first" or "second" in it.
+  std::optional<std::size_t> thing_named(std::size_t span, const std::vector<CalledBy>& things) const;
 
  private:
   using Parts = std::vector<SentencePart>;
@@ -68,6 +76,7 @@ class Sentences {
   void add_words(const std::string& text, std::size_t span);
   void add_formula(const std::vector<TextSpan>& line, std::size_t span, const EquationNotation& notation);
   Range sentence_around(std::size_t part) const;
+  Range clause_around(std::size_t part, Range sentence) const;
   /// `own` is the formula that it is asked of.
   bool is_supposed(Range sentence, std::size_t own) const;
   /// "Let us see", "let it be said" and "suppose what you like" suppose nothing.
