@@ -145,6 +145,13 @@ TEST(MotionTable, ComparesMethods) {
       ElementsAre(HasSubstr("\"error_omega\" is not defined on the motion of this row at t = 0.1 s")));
 }
 
+// Explicit Euler in steps of 10 s makes ω⊥ fourteen times as long in each.
+TEST(MotionTable, SaysOfARowThatItsMotionCannotBeFollowed) {
+  EXPECT_THAT(faults(lesson("at = 4000\ncolumns = [{ of = \"w1\" }, { of = \"T\" }]\nrows = [\n"
+                            "{ motion = { method = \"explicit-euler\", step = 10 } }]")),
+              ElementsAre(HasSubstr("error: the motion of this row cannot be followed to t = 4000 s")));
+}
+
 TEST(MotionTable, SaysWhatIsWrongWithItsKeys) {
   const auto says = [](const std::string& table, const std::string& what) {
     EXPECT_THAT(faults(lesson(table)), ElementsAre(HasSubstr(what))) << table;
