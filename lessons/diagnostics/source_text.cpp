@@ -25,10 +25,9 @@ bool is_forbidden_control(std::string_view bytes, std::size_t i) {
 }  // namespace
 
 SourceText::SourceText(std::string_view text) : text_(text), begins_{0} {
-  std::size_t lines = 1;
-  for (std::size_t end = 0; (end = text.find('\n', end)) != text.npos; ++end) ++lines;
-  begins_.reserve(lines);
-  for (std::size_t end = 0; (end = text.find('\n', end)) != text.npos; ++end) begins_.push_back(end + 1);
+  begins_.reserve(1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n') begins_.push_back(i + 1);
 }
 
 std::string_view SourceText::line(int line) const { return lines(line, line); }
