@@ -50,14 +50,16 @@ SourcePlace SourceText::place_of(std::size_t offset) const {
 }
 
 std::size_t SourceText::offset_of(SourcePlace place) const {
-  const SourcePlace nearest = clamp(place);
-  const std::string_view text = line(nearest.line);
+  if (place.line < 1) return 0;
+  const int number = std::min(place.line, line_count());
+  const std::string_view text = line(number);
+  if (place.line > number) return begin_of(number) + text.size();
   std::size_t at = 0;
-  for (int column = 1; column < nearest.column; ++column) {
+  for (int column = 1; column < place.column && at < text.size(); ++column) {
     ++at;
     while (at < text.size() && !starts_character(text[at])) ++at;
   }
-  return begin_of(nearest.line) + at;
+  return begin_of(number) + at;
 }
 
 SourcePlace SourceText::clamp(SourcePlace place) const {

@@ -56,7 +56,13 @@ bool same_scripts(const MathNode* a, const MathNode* b) {
 /// The longest symbol of the lesson that begins here.
 std::optional<TexValue> TexTerms::declared(Items items, std::size_t& at) {
   const Symbol* best = nullptr;
+  if (at == items.size() || items[at].node == nullptr) return std::nullopt;
+  const MathNode& begin = without_groups(*items[at].node);
   for (const Symbol& symbol : symbols_) {
+    // Nearly all begin otherwise.
+    if (symbol.begin == nullptr || symbol.begin->kind != begin.kind ||
+        symbol.begin->character != begin.character)
+      continue;
     const std::size_t count = symbol.items.size();
     if (count > items.size() - at || (best != nullptr && count < best->items.size())) continue;
     bool same = true;

@@ -107,7 +107,9 @@ TexTerms::TexTerms(const Math& math, const EquationNotation& notation) : math_(m
     if (!symbol.math.root) continue;
     auto kept = symbol.items ? nullptr : items_of_symbol(symbol.math);
     const Items items(symbol.items ? *symbol.items : *kept);
-    if (!items.empty()) symbols_.push_back({&symbol, std::move(kept), items});
+    if (items.empty()) continue;
+    const MathNode* begin = items.front().node != nullptr ? &without_groups(*items.front().node) : nullptr;
+    symbols_.push_back({&symbol, std::move(kept), items, begin});
   }
 }
 

@@ -62,6 +62,7 @@ class TexTerms {
     const EquationSymbol* declared;
     std::shared_ptr<const TexItems> kept;  ///< of one whose items were not
     Items items;
+    const MathNode* begin;  ///< of the first, without groups; null: it is no letter
   };
   struct Factor {
     TexValue value;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -148,7 +149,7 @@ void StageBuilder::finish_step() {
   if (!varied_) scene.vary.clear();  // what cannot be, and was reported
   for (std::size_t i = 0; i <= scene.beside.size(); ++i)
     step().captions.push_back(varied_ ? scene_.caption : shown_[i].caption);
-  for (const LessonScene& shown : varied_ ? std::vector<LessonScene>{scene_} : shown_)
+  for (const LessonScene& shown : varied_ ? std::span<const LessonScene>(&scene_, 1) : shown_)
     for (const auto& [key, text] : shown.labels) step().labels.push_back(text);
   for (const Scene* shown : shown_scenes(scene)) parts_ += parts_of(shown->meters);
   step().scene = std::make_shared<const Scene>(std::move(scene));

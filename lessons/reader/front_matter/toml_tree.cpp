@@ -58,6 +58,7 @@ class NestingScan {
 
   std::optional<std::size_t> run() {
     for (i_ = 0; i_ < text_.size(); ++i_) {
+      if (!kIsMark[static_cast<unsigned char>(text_[i_])]) continue;
       step();
       if (static_cast<int>(open_.size()) + dots_ > limit_) return i_;
     }
@@ -130,6 +131,13 @@ class NestingScan {
     else if (i_ < text_.size() && text_[i_] == '\n')
       --i_;  // an unfinished string ends with its line
   }
+
+  /// What step() looks at: few of the characters of a text.
+  static constexpr auto kIsMark = [] {
+    std::array<bool, 256> is_mark{};
+    for (const char c : std::string_view("#\"'[]{}=,.\n")) is_mark[static_cast<unsigned char>(c)] = true;
+    return is_mark;
+  }();
 
   std::string_view text_;
   int limit_;

@@ -731,6 +731,7 @@ std::string SceneKeys::text_of_variations(const Scene& scene) {
 
 std::vector<PlacedText> SceneKeys::read(const TomlTable& table) {
   std::vector<KeyHandler> handlers;
+  handlers.reserve(rows().size() + 2);
   for (const Row& row : rows()) {
     const bool is_known = of_ != Of::row || row.speaks == Row::Speaks::of_motion;
     if (is_known || table.find(row.facts.name) != nullptr)
@@ -769,7 +770,7 @@ std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodi
 std::vector<LessonScene> side_by_side(const LessonScene& scene, const LessonBodies& bodies,
                                       const SceneWords& words, TextReader& texts,
                                       std::vector<PlacedText>& highlighted) {
-  if (!scene.scenes) return {scene};
+  if (!scene.scenes) return std::vector<LessonScene>(1, scene);  // a list would be copied
   std::vector<LessonScene> scenes;
   for (const TomlValue& entry : *scene.scenes) {
     LessonScene& one = scenes.emplace_back(scene);
