@@ -128,6 +128,7 @@ TEST(Usage, MistakesAreNamedOnStderrWithCode2) {
       {with(export_tiny, {"--size", "319x240"}), "at least 320x240"},
       {with(export_tiny, {"--size", "640x239"}), "at least 320x240"},
       {with(export_tiny, {"--background", "transparent"}), "a page has the paper of its --theme"},
+      {with(export_tiny, {"--what", "equation", "--background", "transparent-dark"}), "in the --theme dark"},
       {with(export_tiny, {"--text-size", "0.69"}), "from 0.7 to 2"},
       {with(export_tiny, {"--text-size", "2.01"}), "from 0.7 to 2"},
       {with(export_tiny, {"--text-size", "large"}), "is not a number"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/figure/make_figure.h"
+#include "render/palette.h"
 #include "tests/render/gl/drawn.h"
 
 #include <gtest/gtest.h>
@@ -127,6 +128,19 @@ TEST(Renderer, APictureDependsOnNothingDrawnBefore) {
   EXPECT_EQ(first.rgba, drawn.draw(top_scene(kMuch), {480, 270}).rgba);
 }
 
+/// The most by which a transparent picture, laid over this colour, differs from an opaque one, in levels.
+int worst_over(const std::array<int, 3>& ground, const Image& transparent, const Image& opaque) {
+  int worst = 0;
+  for (std::size_t i = 0; i < transparent.rgba.size(); i += 4) {
+    const int a = transparent.rgba[i + 3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int laid_over = (transparent.rgba[i + k] * a + ground[k] * (255 - a) + 127) / 255;
+      worst = std::max(worst, std::abs(laid_over - opaque.rgba[i + k]));
+    }
+  }
+  return worst;
+}
+
 TEST(Renderer, TransparentMeansTrueAlpha) {
   Drawn drawn;
   const Image image = drawn.draw(top_scene({O::energy_ellipsoid}), {320, 180}, "transparent");
@@ -138,14 +152,26 @@ TEST(Renderer, TransparentMeansTrueAlpha) {
 
   // Laid over white it is the picture on white, but for two roundings of eight bits, each on either side.
   const Image on_white = drawn.draw(top_scene({O::energy_ellipsoid}), {320, 180}, "white");
-  int worst = 0;
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    const int a = image.rgba[i + 3];
-    for (std::size_t k = 0; k < 3; ++k)
-      worst = std::max(
-          worst, std::abs((image.rgba[i + k] * a + 255 * (255 - a) + 127) / 255 - on_white.rgba[i + k]));
+  EXPECT_LE(worst_over({255, 255, 255}, image, on_white), 3);
+}
+
+// Names have halos of their own there, a little more transparent.
+TEST(Renderer, TransparentForADarkSlideIsThePictureOnOne) {
+  Drawn drawn;
+  const Scene scene = top_scene({O::energy_ellipsoid, O::omega, O::L, O::polhode, O::axes_body});
+  const Image image = drawn.draw(scene, {320, 180}, "transparent-dark");
+  EXPECT_EQ(image.pixel(0, 0)[3], 0);
+  std::array<int, 3> ground{};
+  const std::array<float, 3> dark{kDarkGround.r, kDarkGround.g, kDarkGround.b};
+  std::string hex = "#";
+  for (std::size_t k = 0; k < 3; ++k) {
+    ground[k] = static_cast<int>(std::lround(255 * dark[k]));
+    for (const int digit : {ground[k] / 16, ground[k] % 16}) hex += "0123456789abcdef"[digit];
   }
-  EXPECT_LE(worst, 3);
+  const Image on_dark = drawn.draw(scene, {320, 180}, hex.c_str());
+  EXPECT_LE(worst_over(ground, image, on_dark), 3);
+  // What is for a light slide is another picture: its lines are dark.
+  EXPECT_GT(worst_over(ground, drawn.draw(scene, {320, 180}, "transparent"), on_dark), 50);
 }
 
 TEST(Renderer, EveryOtherBackgroundIsOpaque) {
