@@ -185,6 +185,13 @@ std::optional<TexValue> TexTerms::length_without_arrow(const TexItem& item) cons
   return std::nullopt;
 }
 
+bool TexTerms::is_letter_of_declared_vector(char32_t c) const {
+  return std::any_of(symbols_.begin(), symbols_.end(), [&](const Symbol& symbol) {
+    const TexItem& only = symbol.items.front();
+    return symbol.items.size() == 1 && only.kind == ItemKind::operand && letter_of_vector(*only.node) == c;
+  });
+}
+
 TexValue TexTerms::letter(const TexItem& item, bool& took_sub) {
   const char32_t c = item.node->character;
   if (!is_common(*item.node))
@@ -195,8 +202,9 @@ TexValue TexTerms::letter(const TexItem& item, bool& took_sub) {
     if (c == U'π' && has_pi) return atom_value(std::string(kPiName), Type::scalar, item.span);
     if (has_pi && (c == U'ω' || c == U'L')) return length_of(quantity(vector_name(c), item.span), item.span);
     if (const auto length = length_without_arrow(item)) return *length;
-    const std::string hint = !vector_name(c).empty() ? "a vector has an arrow; its length is |\\vec a|"
-                                                     : "give it a symbol with `means`";
+    const std::string hint = !vector_name(c).empty() || is_letter_of_declared_vector(c)
+                                 ? "a vector has an arrow; its length is |\\vec a|"
+                                 : "give it a symbol with `means`";
     throw TexFault(item.span, "the language of claims does not know this symbol", hint);
   }
   const std::string_view vector = vector_name(c);

@@ -89,6 +89,8 @@ class TexTerms {
   TexValue group(const TexItem& item);
   TexValue base_of(const TexItem& item, bool& took_sub, bool& took_sup);
   std::optional<TexValue> length_without_arrow(const TexItem& item) const;
+  /// Ω where \vec\Omega is declared.
+  bool is_letter_of_declared_vector(char32_t c) const;
   TexValue letter(const TexItem& item, bool& took_sub);
   TexValue arrow_or_bold(const TexItem& item, char32_t letter, bool& took_sub, bool& took_sup);
   TexValue inertia(const TexItem& item, bool& took_sub, bool& took_sup);

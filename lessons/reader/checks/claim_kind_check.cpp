@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "lessons/claims/live_claims.h"
+#include "lessons/derivation/decided.h"
 #include "lessons/reader/checks/lint_budget.h"
 
 #include <algorithm>
@@ -12,19 +13,45 @@
 namespace polhode {
 namespace {
 
-bool is_identity(const Equality& sides, const Prover& prover, const Effort& effort) {
+bool is_identity(const Equality& sides, const Prover& prover, const Effort& effort, const Given& given = {}) {
   spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(sides));
-  return is_provable(sides) && prover.settle(sides, LawsAssumed::identity) == Verdict::holds;
+  return is_provable(sides) && prover.settle(sides, LawsAssumed::identity, given) == Verdict::holds;
+}
+
+bool is_name(const Expression& side) {
+  return !side.text.empty() && std::isalpha(static_cast<unsigned char>(side.text.front())) &&
+         std::all_of(side.text.begin(), side.text.end(),
+                     [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+}
+
+/// A formula that is proved, and is what one of its symbols means.
+bool is_definition_of_symbol(const ClaimLine& line) {
+  const auto& [left, right] = line.equality;
+  return !line.conclusion && !line.is_number && line.relation == Relation::equal &&
+         (is_name(left) || is_name(right)) && left.text != right.text && is_mere_rearrangement(line.equality);
+}
+
+/// A law, or what is given, is said to be needed for what holds without.
+void check_is_needed(const Claim& claim, const Prover& prover, Report& report, const Effort& effort) {
+  const auto all_hold = [&](const Given& given) {
+    return std::all_of(claim.lines.begin(), claim.lines.end(), [&](const ClaimLine& line) {
+      return !line.conclusion && line.relation == Relation::equal &&
+             is_identity(line.equality, prover, effort, given);
+    });
+  };
+  Given where_defined;  // an inequality may say where the formula has a meaning
+  where_defined.bounds = claim.given.bounds;
+  if (claim.kind != ClaimKind::identity && all_hold(claim.given))
+    report.warning(claim.place, "no law of motion is needed: it holds by what its quantities are",
+                   "its kind is identity");
+  else if (claim.kind == ClaimKind::identity && !claim.given.settings.empty() && all_hold(where_defined))
+    report.warning(claim.place, "what is given is not needed: it holds by what its quantities are",
+                   "leave out \"given\", but for what says where it is defined");
 }
 
 }  // namespace
 
 void check_kind(const Claim& claim, const Prover& prover, Report& report, const Effort& effort) {
-  const auto is_name = [](const Expression& side) {
-    return std::all_of(side.text.begin(), side.text.end(),
-                       [](unsigned char c) { return std::isalnum(c) || c == '_'; }) &&
-           std::isalpha(static_cast<unsigned char>(side.text.front()));
-  };
   const bool is_all_identity =
       claim.kind == ClaimKind::measured &&
       std::all_of(claim.lines.begin(), claim.lines.end(), [&](const ClaimLine& line) {
@@ -33,6 +60,14 @@ void check_kind(const Claim& claim, const Prover& prover, Report& report, const 
   if (is_all_identity && !claim.lines.empty())
     report.error(claim.place, "this measures nothing: it holds by what its quantities are, on every motion",
                  "its kind is identity");
+  const bool is_proved =
+      claim.kind == ClaimKind::identity || claim.kind == ClaimKind::motion || claim.kind == ClaimKind::free;
+  const bool is_printed = claim.origin == Claim::Origin::formula;
+  if (is_proved && is_printed && claim.lines.size() == 1 && is_definition_of_symbol(claim.lines.front()))
+    report.warning(claim.place, "this proves nothing: it is what one of its symbols means",
+                   "its kind is definition");
+  else if (is_proved && is_printed && !claim.lines.empty())
+    check_is_needed(claim, prover, report, effort);
   for (const ClaimLine& line : claim.lines) {
     const Equality& sides = line.equality;
     if (claim.kind == ClaimKind::definition && !line.goes_on && line.is_side_by_side &&

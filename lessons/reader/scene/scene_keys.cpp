@@ -593,11 +593,12 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
             " from x towards y (1 towards 2 where the body is at rest) and so far above, and what the scene"
             " shows over its whole film fills the picture, or with `hold = \"still\"` what the still shows;"
             " the larger the distance (from 1.3), the less what is near looks larger; zoom makes all larger"
-            " than that; `fitted = {{ azimuth_deg, elevation_deg, omega }}` keeps the frame that fills the"
+            " than that; `{{}}` is the default again; `fitted = {{ azimuth_deg, elevation_deg, omega }}` "
+            "keeps the frame that fills the"
             " picture from there, of the scene that begins with that ω; elevation −{0} to {0}, distance and"
             " zoom {1} to {2}",
             kMostElevationDeg, kLeastCameraScale, kMostCameraScale),
-        "34°, 20°, 4.2, 1"},
+        "34.4°, 20°, 4.2, 1"},
        &SceneKeys::camera,
        [](const Scene& scene) { return text_of(scene.camera); },
        Row::Speaks::of_picture},
@@ -676,8 +677,8 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        Row::Speaks::of_all},
       {{"from",
         R"(the formula that the slide recalls at its foot, "from before", and the page to read at its top: `"EQUATION"` of this stage, `"STAGE/EQUATION"`, or `"none"`; of this step alone)",
-        "of slides the last formula of the stage's earlier steps; of pages to read none, for it stands on a "
-        "page before"},
+        "of slides that of the nearest earlier step of the stage that has one: its first with a number, else "
+        "its first; of pages to read none, for it stands on a page before"},
        &SceneKeys::from,
        [](const Scene&) { return std::string(); },
        Row::Speaks::of_all},

@@ -79,8 +79,7 @@ std::string what_is_unseen(Overlay overlay, const Scene& scene) {
     const bool is_asked = (facts.seen_if | reason.lacking) == facts.seen_if;
     if (is_asked && (holds | reason.lacking) != holds) return "shows nothing: " + std::string(reason.words);
   }
-  const bool half_of_cones = overlay == Overlay::cones && !contains(scene.views, View::space);
-  return half_of_cones ? "shows the body cone alone: the space cone is seen from space only" : "";
+  return "";
 }
 
 namespace {

@@ -52,11 +52,11 @@ TEST(CheckClaims, NumbersAreOfAMotionOfWhichTheEquationHolds) {
     return testing::lines_of(check_claims(*reading.lesson, "a.md"));
   };
   const std::string rate = "\\frac{dT}{dt} = 0 = \\live[unit={W}]{ddt(T)}",
-                    energy = "2T = \\vec\\omega\\cdot\\vec L = \\live{2*T}";
+                    power = "\\frac{dT}{dt} = \\vec\\omega\\cdot\\vec N = \\live[unit={W}]{ddt(T)}";
   EXPECT_THAT(said("free", rate, "show = 'L'"), IsEmpty());
   EXPECT_THAT(said("free", rate, "torque = 'damping:0.5'"), ElementsAre(HasSubstr("on which a torque acts")));
-  EXPECT_THAT(said("motion", energy, "torque = 'damping:0.5'"), IsEmpty());
-  EXPECT_THAT(said("motion", energy, "torque = 'sink:0.1'"), ElementsAre(HasSubstr("loses energy inside")));
+  EXPECT_THAT(said("motion", power, "torque = 'damping:0.5'"), IsEmpty());
+  EXPECT_THAT(said("motion", power, "torque = 'sink:0.1'"), ElementsAre(HasSubstr("loses energy inside")));
 }
 
 // 2026-11-23: what was called nothing could say anything, and so could what is proved to an order.

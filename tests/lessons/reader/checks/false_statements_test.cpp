@@ -12,6 +12,8 @@ namespace polhode {
 namespace {
 
 using testing::complaints_of;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
@@ -646,6 +648,33 @@ TEST(KindsOfClaims, AreWhatTheySay) {
                 math("definition", R"(\vec\omega\cdot(\vec\omega\times\vec L) = 0)")});
   expect_true({math("measured", R"(\frac{dT}{dt} = 0)"), math("law", R"(\frac{d\vec L}{dt} = \vec N)"),
                math("definition", R"(\vec L = \mathbf I\cdot\vec\omega)")});
+}
+
+// 2026-11-28: what Ω means was "true when no torque acts, given I₂ = I₁". Nothing of that is needed.
+TEST(KindsOfClaims, NeedWhatTheyName) {
+  const auto complaints = [](const std::string& kind, const std::string& tex) {
+    return complaints_of(math(kind, tex) + "\n```scene\nomega = [0.5, 3, 0.7]\n```\n",
+                         "[symbols]\nOm = { tex = '\\vec\\Omega', say = \"capital omega\", unit = \"rad/s\", "
+                         "means = \"L/I1\" }\n"
+                         "[assume]\nsymmetric = \"I2 = I1\"\nturns = \"w3^2 > 0\"\n");
+  };
+  const std::string meaning = R"(\vec\Omega = \frac{\vec L}{I_1})",
+                    length = R"(|\vec\Omega| = \frac{|\vec L|}{I_1})",
+                    ratio = R"(\frac{\vec\Omega\cdot\hat e_3}{\omega_3} = \frac{I_3}{I_1})",
+                    turned = R"(\frac{d\hat e_3}{dt} = \vec\Omega\times\hat e_3)",
+                    lasting = R"(\frac{d\vec\Omega}{dt} = 0)";
+  for (const char* kind : {"identity", "motion", "free", "free given symmetric"})
+    EXPECT_THAT(complaints(kind, meaning), ElementsAre(HasSubstr("what one of its symbols means"))) << kind;
+  EXPECT_THAT(complaints("free", length), ElementsAre(HasSubstr("no law of motion is needed")));
+  EXPECT_THAT(complaints("free given symmetric", turned),
+              ElementsAre(HasSubstr("no law of motion is needed")));
+  EXPECT_THAT(complaints("identity given symmetric turns", ratio),
+              ElementsAre(HasSubstr("what is given is not needed")));
+  EXPECT_THAT(complaints("definition", meaning), IsEmpty());
+  EXPECT_THAT(complaints("identity", length), IsEmpty());
+  EXPECT_THAT(complaints("identity given turns", ratio), IsEmpty()) << "it says where there is a ratio";
+  EXPECT_THAT(complaints("identity given symmetric", turned), IsEmpty());
+  EXPECT_THAT(complaints("free", lasting), IsEmpty());
 }
 
 // 2026-11-27: a tag said "if no torque acts", and "1e1" stood for 7.93.

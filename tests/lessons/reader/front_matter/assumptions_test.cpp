@@ -189,10 +189,10 @@ TEST(Assumptions, WhatIsSaidOfWhatIsSmallIsChecked) {
 }
 
 TEST(Assumptions, FormulasShowTheWordsOfTheLesson) {
-  EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(E = T + mg\ell\,u)"))), IsEmpty());
-  EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(E = T - mg\ell\,u)"))),
+  EXPECT_THAT(faults(lesson(kTop, math("a definition", R"(E = T + mg\ell\,u)"))), IsEmpty());
+  EXPECT_THAT(faults(lesson(kTop, math("a definition", R"(E = T - mg\ell\,u)"))),
               ElementsAre(HasSubstr("fails")));
-  EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(u = \hat e_z\cdot\hat e_3)"))), IsEmpty());
+  EXPECT_THAT(faults(lesson(kTop, math("a definition", R"(u = \hat e_z\cdot\hat e_3)"))), IsEmpty());
 }
 
 TEST(Assumptions, WhatIsWrongIsSaidWhereItStands) {
