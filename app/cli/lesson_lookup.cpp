@@ -146,10 +146,9 @@ Done check_type_of(const LoadedLesson& loaded, const Fonts& fonts) {
   return done();
 }
 
-Done check_pages_of(const LoadedLesson& loaded, const Fonts& fonts) {
+Done check_scenes_of(const LoadedLesson& loaded) {
   Budget budget(kLintBudget);
-  const std::vector<Diagnostic> found =
-      page_errors(loaded.lesson, fonts, loaded.path.string(), limited_by(budget));
+  const std::vector<Diagnostic> found = scene_errors(loaded.lesson, loaded.path.string(), limited_by(budget));
   if (!found.empty()) return has_errors(loaded.path, found);
   return done();
 }

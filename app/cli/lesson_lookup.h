@@ -39,9 +39,9 @@ Outcome<LoadedLesson> load_lesson(std::string_view name);
 /// Invalid if the fonts lack something of what the lesson says, with all diagnostics.
 Done check_type_of(const LoadedLesson& loaded, const Fonts& fonts);
 
-/// Invalid if a step has more than a page holds, or checking that takes more than kLintBudget, with all
-/// diagnostics. 1 to 2 ms a step.
-Done check_pages_of(const LoadedLesson& loaded, const Fonts& fonts);
+/// Invalid if the scene of a step cannot be, or checking that takes more than kLintBudget, with all
+/// diagnostics. About 0.5 ms a step. What is more than a page holds is no fault in a window, which scrolls.
+Done check_scenes_of(const LoadedLesson& loaded);
 
 /// The stage of that id. @throws CommandError usage with "did you mean"
 const Stage& stage_of(const Lesson& lesson, std::string_view id);

@@ -68,6 +68,12 @@ SourcePlace place_of(const Stage& stage, const Step& step) {
   return std::visit([](const auto& block) { return block.place; }, step.blocks.front());
 }
 
+Diagnostic not_drawn(const std::string& file, SourcePlace place, const Stage& stage, std::size_t step,
+                     const std::domain_error& error) {
+  return {Severity::error, file, place,
+          fmt::format("step {} of stage \"{}\" cannot be drawn: {}", step + 1, stage.id, error.what()), ""};
+}
+
 class PageLint {
  public:
   PageLint(const Lesson& lesson, const Fonts& fonts, std::string_view file_name, std::span<const Size> sizes,
@@ -102,9 +108,7 @@ class PageLint {
         // What no page holds well is too much for a slide, and the same advice helps.
         if (found_.size() == before && sizes_.size() > 1) check_slide(stage, number, static_cast<int>(i + 1));
       } catch (const std::domain_error& error) {
-        found_.push_back(
-            {Severity::error, file_, place_,
-             fmt::format("step {} of stage \"{}\" cannot be drawn: {}", i + 1, stage.id, error.what()), ""});
+        found_.push_back(not_drawn(file_, place_, stage, i, error));
       }
     }
     if (sizes_.size() > 1 && models_.size() == stage.steps.size()) check_pages(stage, number);
@@ -346,11 +350,24 @@ std::vector<Diagnostic> page_diagnostics(const Lesson& lesson, const Fonts& font
   return PageLint(lesson, fonts, file_name, kPages, effort).all();
 }
 
-std::vector<Diagnostic> page_errors(const Lesson& lesson, const Fonts& fonts, std::string_view file_name,
-                                    const Effort& effort) {
-  std::vector<Diagnostic> found =
-      PageLint(lesson, fonts, file_name, std::span(kPages).first(1), effort).all();
-  std::erase_if(found, [](const Diagnostic& d) { return d.severity != Severity::error; });
+std::vector<Diagnostic> scene_errors(const Lesson& lesson, std::string_view file_name, const Effort& effort) {
+  const std::string file(file_name);
+  std::vector<Diagnostic> found;
+  std::shared_ptr<const Scene> before;  // steps that go on with a scene share it
+  for (const Stage& stage : lesson.stages)
+    for (std::size_t i = 0; i < stage.steps.size(); ++i) {
+      const Step& step = stage.steps[i];
+      if (!step.scene || step.scene == before) continue;
+      before = step.scene;
+      try {
+        make_model(*step.scene, ModelFor::page, effort);
+      } catch (const BudgetSpent&) {
+        found.push_back(too_long_to_check(file, place_of(stage, step)));
+        return found;
+      } catch (const std::domain_error& error) {
+        found.push_back(not_drawn(file, place_of(stage, step), stage, i, error));
+      }
+    }
   return found;
 }
 

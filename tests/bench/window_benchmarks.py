@@ -115,7 +115,7 @@ def first_frame(table, polhode, display):
             frames = play.wait(lambda f: any(one.full for one in f))
             runs.append((frames[0].t - play.started, next(f.t for f in frames if f.full) - play.started))
     first, full = (statistics.median(one[i] for one in runs) for i in (0, 1))
-    table.row("first frame after the start", "<= 1 s", f"{first:.2f} s; of full quality {full:.2f} s", first <= 1)
+    table.row("first frame after the start", "<= 0.6 s", f"{first:.2f} s; of full quality {full:.2f} s", first <= 0.6)
 
 
 def moving(table, play, name, seconds):

@@ -38,7 +38,7 @@ Outcome<std::shared_ptr<const LoadedLesson>> load(const std::string& name, const
   auto loaded = load_lesson(name);
   if (!loaded) return passed_on(loaded);
   if (const Done can = check_type_of(*loaded, fonts); !can) return passed_on(can);
-  if (const Done fits = check_pages_of(*loaded, fonts); !fits) return passed_on(fits);
+  if (const Done can = check_scenes_of(*loaded); !can) return passed_on(can);
   return std::make_shared<const LoadedLesson>(std::move(*loaded));
 }
 

@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <memory>
+
 namespace polhode {
 namespace {
 
@@ -186,6 +189,26 @@ TEST(PageLint, TheNumbersOfEarlierStepsCostOneMotionForEachStep) {
   EXPECT_GE(more, 4 * 2000) << "of four steps numbers stay; what they cost is not told";
   // Rates are taken from seven states about the still, each reached again from a checkpoint.
   EXPECT_LE(more, 4 * 3000) << "computed for each later page and each of its sizes";
+}
+
+TEST(SceneErrors, AreOfFiguresThatCannotBe) {
+  LessonReading reading = read_lesson(
+      "+++\nformat = 1\nid = \"far\"\ntitle = \"Far\"\n+++\n# A stage {one}\nOne.\n\n```scene\n"
+      "show = [\"L\"]\n```\n\n---\n\nTwo.\n\n---\n\nThree.\n\n```scene\nat = 1\n```\n",
+      "far.md");
+  ASSERT_TRUE(reading.lesson);
+  EXPECT_TRUE(scene_errors(*reading.lesson, "far.md").empty());
+  Step& last = reading.lesson->stages.front().steps.back();
+  Scene endless = *last.scene;
+  endless.w0_B[0] = std::numeric_limits<double>::infinity();
+  last.scene = std::make_shared<const Scene>(endless);
+  const auto found = scene_errors(*reading.lesson, "far.md");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].severity, Severity::error);
+  EXPECT_THAT(found[0].message, HasSubstr("step 3 of stage \"one\" cannot be drawn: "));
+  const auto unfinished = scene_errors(*reading.lesson, "far.md", [](std::int64_t) { throw BudgetSpent(); });
+  ASSERT_EQ(unfinished.size(), 1u);
+  EXPECT_THAT(unfinished[0].message, HasSubstr("too long to check"));
 }
 
 }  // namespace
