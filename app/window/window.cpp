@@ -76,6 +76,7 @@ class Loop {
     }
     WindowEnd end;
     if (!full_screen_.is_on()) end.place = place_of(display_.window());
+    if (speaker_ && speaker_->audience_before()) end.place = *speaker_->audience_before();
     end.lesson = screen().requests().open_lesson;
     if (!end.lesson.empty()) end.kind = WindowEnd::Kind::other_lesson;
     if (watch.interrupted()) end.kind = WindowEnd::Kind::interrupted;
