@@ -103,6 +103,7 @@ constexpr std::array kCommands = {
     CommandFacts{C::last_stage, "End", "Walk", "last stage", false,
                  [](LessonSession& session) { go_to_end(session, 1); }},
 
+    CommandFacts{C::find, "Ctrl+F", "Walk", "find words or a formula in the lesson"},
     CommandFacts{C::play_pause, "Space", "Time", "play, pause", false,
                  [](LessonSession& session) { session.set_playing(!session.is_playing()); }},
     CommandFacts{C::frame_forward, "Shift+Right", "Time", "one frame forward", true,

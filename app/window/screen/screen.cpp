@@ -143,6 +143,10 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   }
   const bool is_of_panel = panels_.has_focus() && is_for_panel(session.panel, key);
   if (!typing && is_of_panel && (key == "Tab" || key == "Shift+Tab")) {
+  if (has_menu_ && key == "Escape") {
+    has_menu_ = false;
+    return true;
+  }
     panels_.tab(key == "Tab" ? 1 : -1);
     return true;
   }
@@ -280,6 +284,10 @@ bool Screen::do_in_window(LessonSession& session, Command command) {
     case Command::full_screen:
       requests_.full_screen = true;
       break;
+    case Command::find:
+      session.panel = Panel::outline;
+      requests_.find = true;
+      break;
     case Command::quit:
       requests_.quit = true;
       break;
@@ -406,16 +414,18 @@ Result<bool> Screen::show_page(LessonSession& session, const Region& region, dou
 
 void Screen::lay_out_controls(LessonSession& session, const Region& page, Size size) {
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
-  PanelContext context{.session = session,
-                       .speech = *speech_,
-                       .texts = *texts_,
-                       .sizes = *sizes_,
-                       .requests = requests_,
-                       .frame_ms = 1e3 * page_s_,
-                       .clock_s = clock_s_,
-                       .lessons = lessons_,
-                       .take_focus = std::exchange(panel_takes_focus_, false) || requests_.type_answer,
-                       .typed_to = std::exchange(requests_.type_answer_to, nullptr)};
+  PanelContext context{
+      .session = session,
+      .speech = *speech_,
+      .texts = *texts_,
+      .sizes = *sizes_,
+      .requests = requests_,
+      .frame_ms = 1e3 * page_s_,
+      .clock_s = clock_s_,
+      .lessons = lessons_,
+      .take_focus = std::exchange(panel_takes_focus_, false) || requests_.type_answer || requests_.find,
+      .finds = std::exchange(requests_.find, false),
+      .typed_to = std::exchange(requests_.type_answer_to, nullptr)};
   requests_.type_answer = false;
   const bool lists_lessons = session.panel == Panel::outline || session.panel == Panel::question;
   if (lists_lessons && find_lessons_) lessons_ = std::exchange(find_lessons_, nullptr)();
@@ -461,6 +471,7 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
   if (on_page) scroll_by_wheel();
   if (on_page && io.MouseClicked[0] && !symbols_.is_pointed_at()) {
     ImGui::SetWindowFocus(nullptr);
+  draw_page_menu(session, on_page, under);
     symbols_.leave(session);
   }
   if (use_questions(session, on_page)) return;

@@ -102,6 +102,9 @@ class Screen {
   void type_ahead(LessonSession& session);
   void scroll_by_wheel();
   bool walks_by_click(LessonSession& session, const Vec2& at, bool is_free) const;
+  void draw_page_menu(LessonSession& session, bool on_page, std::optional<std::size_t> under);
+  void offer_of_text(LessonSession& session);
+  void offer_of_figure(LessonSession& session);
   void draw_scroll_marks(const LessonSession& session);
   void draw_invitation(const LessonSession& session);
   const Page::Choice* choice_at(const LessonSession& session, const Vec2& at) const;
@@ -144,6 +147,9 @@ class Screen {
   std::string stage_title_;
   double clock_s_ = 0, page_s_ = 0, frame_s_ = 0, pointed_s_ = 0;  ///< pointed_s_: the pointer moved
   int frames_of_tooltip_ = 0;  ///< since the pointer has rested for as long as a tooltip waits
+  bool has_menu_ = false;  ///< what can be done with what is there: open
+  bool menu_is_of_figure_ = false;
+  std::string menu_of_{};      ///< the symbol or link that it was opened on; empty: none
   bool is_full_ = true, was_moving_ = false;
   StepPlace shown_place_{};
   std::optional<StepPlace> held_back_{};                       ///< where one was asked to answer first

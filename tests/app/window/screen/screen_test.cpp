@@ -95,6 +95,48 @@ TEST_F(ScreenTest, TabGoesThroughTheSymbolsOfThePageAndBack) {
   EXPECT_EQ(session.lit(), "");
 }
 
+TEST_F(ScreenTest, WordsAreFoundAndGoneTo) {
+  frame(3);
+  ASSERT_TRUE(screen->press(session, "Ctrl+F"));
+  frame(4);
+  EXPECT_EQ(session.panel, Panel::outline);
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput) << "they are typed at once";
+  ImGui::GetIO().AddInputCharactersUTF8("Poinsot pictured");
+  frame(3);
+  EXPECT_EQ(session.place(), StepPlace{}) << "nobody jumps while he types";
+  give_to_panel(ImGuiKey_Enter);
+  EXPECT_EQ(session.stage().id, "poinsot");
+  frame(3);
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput) << "for the next place";
+}
+
+TEST_F(ScreenTest, TheOtherButtonOffersWhatCanBeDone) {
+  session.go_to({11, 0});
+  frame(3);
+  const auto is_open = [] { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); };
+  const auto press_other = [&](double at_x, double at_y) {
+    move(at_x, at_y);
+    ImGui::GetIO().MouseDown[1] = true;
+    frame(2);
+    ImGui::GetIO().MouseDown[1] = false;
+    frame(3);
+  };
+  const Image before = screen->read();
+  press_other(300, 600);
+  EXPECT_TRUE(is_open());
+  EXPECT_NE(screen->read().rgba, before.rgba);
+  const float em = 15;
+  click(300 + 4 * em, 600 + 1.2 * em);  // the first of it
+  EXPECT_EQ(screen->notice(), "copied");
+  EXPECT_FALSE(is_open());
+  press_other(0.5 * (screen->page().page().figure.x0 + 1280), 300);
+  EXPECT_TRUE(is_open());
+  ASSERT_TRUE(screen->press(session, "Escape"));
+  frame(3);
+  EXPECT_FALSE(is_open());
+  EXPECT_FALSE(session.is_playing());
+}
+
 TEST_F(ScreenTest, ASymbolUnderThePointerLightsUp) {
   session.go_to({1, 0});
   frame(3);
