@@ -81,10 +81,12 @@ class Runs {
 
 void add_symbols(const PlacedType& text, const Fonts& fonts, std::vector<PageSymbol>& found) {
   if (text.list.names.empty()) return;
+  const std::size_t first = found.size();
+  TypeBox all;
   Runs terms(true, found), symbols(false, found);
   for (const Glyph& glyph : text.list.glyphs) {
-    const bool is_named = glyph.naming != Naming{};
-    const TypeBox box = is_named ? box_of(glyph, text.at, fonts) : TypeBox{};
+    const TypeBox box = box_of(glyph, text.at, fonts);
+    all = united(all, box);
     terms.take(glyph.naming, box, text.list);
     symbols.take(glyph.naming, box, text.list);
   }
@@ -93,6 +95,7 @@ void add_symbols(const PlacedType& text, const Fonts& fonts, std::vector<PageSym
     terms.take_rule(rule.naming, box_of(rule, text.at));
     symbols.take_rule(rule.naming, box_of(rule, text.at));
   }
+  for (std::size_t i = first; i < found.size(); ++i) found[i].around = all;
 }
 
 double distance(const TypeBox& box, const Vec2& point) {

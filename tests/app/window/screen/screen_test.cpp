@@ -92,7 +92,33 @@ TEST_F(ScreenTest, TabGoesThroughTheSymbolsOfThePageAndBack) {
   EXPECT_EQ(session.lit(), screen->page().symbols()[1].name);
   screen->press(session, "Shift+Tab");
   screen->press(session, "Shift+Tab");
+  EXPECT_EQ(session.lit(), screen->page().symbols().back().name) << "no stop where nothing is";
+  screen->press(session, "Tab");
+  EXPECT_EQ(session.lit(), screen->page().symbols()[0].name);
+  screen->press(session, "Escape");
   EXPECT_EQ(session.lit(), "");
+}
+
+// What explains a formula lies above or below it.
+TEST_F(ScreenTest, ANoteDoesNotLieOnTheFormulaThatItExplains) {
+  session.go_to({11, 0});
+  frame(3);
+  const Image without = screen->read();
+  const std::vector<PageSymbol> symbols = screen->page().symbols();
+  int told = 0;
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    screen->press(session, "Tab");
+    frame(3);
+    const TypeBox& of = symbols[i].around;
+    if (of.y1 - of.y0 < 60 || of.y1 - of.y0 > 9 * 15) continue;  // a display is higher than a line
+    const Image with = screen->read();
+    // In its right margin nothing is lit, and nothing lies there.
+    for (int row = static_cast<int>(of.y0) + 2; row < static_cast<int>(of.y1) - 2; ++row)
+      for (int at = static_cast<int>(of.x1) + 4; at < static_cast<int>(of.x1) + 30; ++at)
+        ASSERT_EQ(with.pixel(at, row)[2], without.pixel(at, row)[2]) << symbols[i].name;
+    ++told;
+  }
+  EXPECT_GT(told, 3);
 }
 
 TEST_F(ScreenTest, WordsAreFoundAndGoneTo) {
