@@ -34,7 +34,7 @@ struct Preferences {
   bool reduced_motion = false;  ///< nothing fades, travels or plays by itself
   bool letter_keys = true;      ///< single letters and signs are commands (app/session/command.h)
   /// Of theme and motion, whether the person has chosen: else they are as the desktop wishes
-  /// (app/session/desktop_wishes.h).
+  /// (app/window/desktop_wishes.h).
   bool own_theme = false, own_motion = false;
   bool operator==(const Preferences&) const = default;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Asks the desktop what it wishes (app/session/desktop_wishes.h), by a program beside the window.
+// Asks the desktop what it wishes (app/window/desktop_wishes.h), by a program beside the window.
 #pragma once
 
 #include "app/export/background_program.h"
-#include "app/session/desktop_wishes.h"
+#include "app/window/desktop_wishes.h"
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/session/desktop_wishes.h"
+#include "app/window/desktop_wishes.h"
 
 #include <gtest/gtest.h>
 
