@@ -130,9 +130,11 @@ void Panels::draw(PanelContext& context, const Region& region) {
   ImGui::TextUnformatted(title_of(context.session.panel));
   ImGui::PopFont();
   const std::pair now(context.session.panel, context.session.place());
-  if (std::exchange(shown_, now) != now) refusal_.clear();
+  const std::pair before = std::exchange(shown_, now);
+  if (before != now) refusal_.clear();
   ImGui::BeginChild("contents", {0, 0}, false,
                     only_scrolls ? ImGuiWindowFlags_NoNavInputs : ImGuiWindowFlags_NavFlattened);
+  if (before.first != now.first) ImGui::SetScrollY(0);
   draw_contents(context);
   ImGui::EndChild();
   make_edits(context);

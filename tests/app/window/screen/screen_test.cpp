@@ -297,6 +297,22 @@ TEST_F(ScreenTest, TheWheelOverTheOutlineScrollsIt) {
   EXPECT_NE(screen->read().rgba, before.rgba);
 }
 
+TEST_F(ScreenTest, APanelBeginsAtItsTop) {
+  session.panel = Panel::show;
+  frame(3);
+  move(kSize.width - 150, 500);
+  const Image at_top = screen->read();
+  session.panel = Panel::help;
+  frame(3);
+  for (int i = 0; i < 8; ++i) {
+    ImGui::GetIO().MouseWheel = -1;
+    frame(2);
+  }
+  session.panel = Panel::show;
+  frame(4);
+  EXPECT_TRUE(screen->read().rgba == at_top.rgba) << "however far another was scrolled";
+}
+
 TEST_F(ScreenTest, AnotherLessonIsOpenedFromTheOutline) {
   int asked = 0;
   screen->set_lessons([&] {
