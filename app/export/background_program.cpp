@@ -18,15 +18,19 @@ namespace polhode {
 namespace {
 
 constexpr long kMostWords = 600;
+constexpr std::size_t kMostAnswer = 100'000;
 
 /// Which files it has, freed at the end.
 struct StandardFiles {
   posix_spawn_file_actions_t actions;
 
-  explicit StandardFiles(int words) {
+  StandardFiles(int words, bool keeps_answer) {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    if (keeps_answer)
+      posix_spawn_file_actions_adddup2(&actions, words, STDOUT_FILENO);
+    else
+      posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, words, STDERR_FILENO);
   }
   ~StandardFiles() { posix_spawn_file_actions_destroy(&actions); }
@@ -43,14 +47,14 @@ int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 +
 
 }  // namespace
 
-Result<BackgroundProgram> BackgroundProgram::start(std::vector<std::string> words) {
+Result<BackgroundProgram> BackgroundProgram::start(std::vector<std::string> words, bool keeps_answer) {
   BackgroundProgram program;
   program.words_ = std::tmpfile();
   if (!program.words_) return failure(reason(words.front(), errno));
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  const StandardFiles files(::fileno(program.words_));
+  const StandardFiles files(::fileno(program.words_), keeps_answer);
   const int error =
       ::posix_spawnp(&program.process_, pointers.front(), &files.actions, nullptr, pointers.data(), environ);
   if (error != 0) {
@@ -93,6 +97,13 @@ void BackgroundProgram::end() {
   }
   process_ = 0;
   code_ = code_of(status);
+}
+
+std::string BackgroundProgram::answer() const {
+  std::rewind(words_);
+  std::string text(kMostAnswer, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), words_));
+  return text;
 }
 
 std::string last_words_in(std::FILE* words) {

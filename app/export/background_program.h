@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Another program that runs beside this one: nothing is written to it, what it prints is for nobody, and what
-// it says on stderr is kept for whoever asks why it failed.
+// Another program that runs beside this one: nothing is written to it, what it prints is for nobody unless it
+// is asked for, and what it says on stderr is kept for whoever asks why it failed.
 #pragma once
 
 #include "base/result.h"
@@ -22,7 +22,8 @@ class BackgroundProgram {
  public:
   /// `words`: its path, or its name, which is looked up in PATH, and its arguments. The error says why it
   /// cannot be started: "there is no spd-say".
-  static Result<BackgroundProgram> start(std::vector<std::string> words);
+  /// `keeps_answer`: what it prints is kept too, for answer().
+  static Result<BackgroundProgram> start(std::vector<std::string> words, bool keeps_answer = false);
   BackgroundProgram(BackgroundProgram&& other) noexcept;
   BackgroundProgram& operator=(BackgroundProgram&& other) noexcept;
   /// Where it still runs it goes on, alone.
@@ -34,6 +35,8 @@ class BackgroundProgram {
   void end();
   /// Of what it said on stderr.
   std::string last_words() const { return last_words_in(words_); }
+  /// The beginning of what it printed, and said on stderr, some 100 KB at most.
+  std::string answer() const;
 
  private:
   BackgroundProgram() = default;

@@ -121,11 +121,12 @@ Grid one_above_the_other(const Room& room) {
   const double figure = (rows > 1.0 ? 0.27 : 0.34) * h / half_as_much(text_scale),
                below = figure + 0.14 * rows * h;
   const double left = 0.5 * (w - measure * em);
+  const double right = covered > 0 ? std::round(uncovered(room, 0, em)) : w;
   return {text_scale * em,
           half_as_much(text_scale) * em,
           {left, below + 1.6 * em, left + measure * em, h - kBottom * em},
-          rounded(0, 0, w, figure),
-          {0, figure, w, below}};
+          rounded(0, 0, right, figure),
+          {0, figure, right, below}};
 }
 
 Grid text_alone(const Room& room) {

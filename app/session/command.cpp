@@ -85,6 +85,7 @@ void change_number(LessonSession& session, std::size_t number, double steps) {
 
 void toggle_theme(Preferences& preferences) {
   preferences.theme = preferences.theme == Theme::paper ? Theme::dark : Theme::paper;
+  preferences.own_theme = true;
 }
 
 // What walks goes as in the deck (assets/deck/deck.js): remote clickers send Page Down and Page Up.
@@ -102,6 +103,7 @@ constexpr std::array kCommands = {
                  [](LessonSession& session) { go_to_end(session, -1); }},
     CommandFacts{C::last_stage, "End", "Walk", "last stage", false,
                  [](LessonSession& session) { go_to_end(session, 1); }},
+    CommandFacts{C::find, "Ctrl+F", "Walk", "find words or a formula in the lesson"},
 
     CommandFacts{C::play_pause, "Space", "Time", "play, pause", false,
                  [](LessonSession& session) { session.set_playing(!session.is_playing()); }},

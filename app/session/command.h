@@ -18,6 +18,7 @@ enum class Command {
   previous_stage,
   first_stage,
   last_stage,
+  find,
   play_pause,
   frame_forward,
   frame_back,

@@ -33,6 +33,9 @@ struct Preferences {
   double text_scale = 1;        ///< kLeastTextScale … kMostTextScale
   bool reduced_motion = false;  ///< nothing fades, travels or plays by itself
   bool letter_keys = true;      ///< single letters and signs are commands (app/session/command.h)
+  /// Of theme and motion, whether the person has chosen: else they are as the desktop wishes
+  /// (app/window/desktop_wishes.h).
+  bool own_theme = false, own_motion = false;
   bool operator==(const Preferences&) const = default;
 };
 inline constexpr double kTextScaleFactor = 1.1;  ///< of one step; the ends: app/page/page_theme.h

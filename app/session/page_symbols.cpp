@@ -25,6 +25,13 @@ TypeBox box_of(const Glyph& g, const Vec2& at, const Fonts& fonts) {
   return {x + b.left * g.size, y - b.top * g.size, x + b.right * g.size, y - b.bottom * g.size};
 }
 
+/// About, without the font: of a line of type.
+TypeBox line_box_of(const Glyph& g, const Vec2& at) {
+  constexpr double kAbove = 0.75, kBelow = 0.25;  // of the size
+  const double x = at.x() + g.x, y = at.y() + g.y;
+  return {x, y - kAbove * g.size, x + 0.5 * g.size, y + kBelow * g.size};
+}
+
 TypeBox box_of(const Rule& r, const Vec2& at) {
   const double half = 0.5 * r.thickness;
   return grown({at.x() + std::min(r.x0, r.x1), at.y() + std::min(r.y0, r.y1), at.x() + std::max(r.x0, r.x1),
@@ -81,10 +88,13 @@ class Runs {
 
 void add_symbols(const PlacedType& text, const Fonts& fonts, std::vector<PageSymbol>& found) {
   if (text.list.names.empty()) return;
+  const std::size_t first = found.size();
+  TypeBox all;
   Runs terms(true, found), symbols(false, found);
   for (const Glyph& glyph : text.list.glyphs) {
     const bool is_named = glyph.naming != Naming{};
     const TypeBox box = is_named ? box_of(glyph, text.at, fonts) : TypeBox{};
+    all = united(all, line_box_of(glyph, text.at));
     terms.take(glyph.naming, box, text.list);
     symbols.take(glyph.naming, box, text.list);
   }
@@ -93,6 +103,7 @@ void add_symbols(const PlacedType& text, const Fonts& fonts, std::vector<PageSym
     terms.take_rule(rule.naming, box_of(rule, text.at));
     symbols.take_rule(rule.naming, box_of(rule, text.at));
   }
+  for (std::size_t i = first; i < found.size(); ++i) found[i].around = all;
 }
 
 double distance(const TypeBox& box, const Vec2& point) {

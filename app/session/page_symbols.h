@@ -17,6 +17,7 @@ struct PageSymbol {
   std::string name;      ///< of the symbol ("omega"), or of the \term
   bool is_term = false;  ///< a \term, or a link (is_link_name); symbols in it are there as well
   TypeBox box;           ///< px of the page; all its ink
+  TypeBox around{};      ///< about, of the formula or paragraph that it stands in
 };
 
 /// All symbols of a page in reading order: text after text as they lie on the sheet, each text from left to

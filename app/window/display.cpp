@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/display.h"
 
+#include "app/window/speaker/two_places.h"
 #include "app/window/window_context.h"
 
 #define GLFW_INCLUDE_NONE
@@ -187,13 +188,37 @@ void move_onto(GLFWmonitor* monitor, GLFWwindow* window) {
   glfwSetWindowPos(window, x, y);
 }
 
-/// To the right of another window where there is room; else whoever manages windows knows a place.
-void move_beside(GLFWmonitor* monitor, GLFWwindow* first, GLFWwindow* second) {
-  int left = 0, top = 0, room = 0, unused = 0, x = 0, y = 0, width = 0;
-  glfwGetMonitorWorkarea(monitor, &left, &top, &room, &unused);
-  glfwGetWindowPos(first, &x, &y);
-  glfwGetWindowSize(first, &width, &unused);
-  if (x + 2 * width <= left + room) glfwSetWindowPos(second, x + width, y);
+/// With its frame.
+DesktopBox box_of(GLFWwindow* window) {
+  int left = 0, top = 0, right = 0, bottom = 0;
+  glfwGetWindowFrameSize(window, &left, &top, &right, &bottom);
+  const WindowPlace place = place_of(window);
+  return {(*place.at)[0] - left,
+          (*place.at)[1] - top,
+          {place.size.width + left + right, place.size.height + top + bottom}};
+}
+
+/// By the frame of one that is seen: that of a new window is not known yet.
+void move_to(GLFWwindow* window, const DesktopBox& box, GLFWwindow* framed) {
+  int left = 0, top = 0, right = 0, bottom = 0;
+  glfwGetWindowFrameSize(framed, &left, &top, &right, &bottom);
+  glfwSetWindowSize(window, box.size.width - left - right, box.size.height - top - bottom);
+  glfwSetWindowPos(window, box.x + left, box.y + top);
+}
+
+/// On one screen, so that both are seen. True: the first had to give way.
+bool move_apart(GLFWmonitor* monitor, GLFWwindow* first, GLFWwindow* second) {
+  DesktopBox screen;
+  glfwGetMonitorWorkarea(monitor, &screen.x, &screen.y, &screen.size.width, &screen.size.height);
+  const DesktopBox before = box_of(first);
+  const TwoPlaces places = two_places(screen, before, {kLeastWidth, kLeastHeight});
+  const bool gives_way = places.first != before;
+  if (gives_way) {
+    if (glfwGetWindowAttrib(first, GLFW_MAXIMIZED) == GLFW_TRUE) glfwRestoreWindow(first);
+    move_to(first, places.first, first);
+  }
+  move_to(second, places.second, first);
+  return gives_way;
 }
 
 }  // namespace
@@ -219,7 +244,8 @@ Result<std::unique_ptr<SecondDisplay>> SecondDisplay::open(const Display& first,
     move_onto(monitors[count - 1], first.window());
     move_onto(monitors[0], second->window());
   } else if (count == 1) {
-    move_beside(monitors[0], first.window(), second->window());
+    const WindowPlace before = place_of(first.window());
+    if (move_apart(monitors[0], first.window(), second->window())) second->first_before_ = before;
   }
   return second;
 }
@@ -245,6 +271,10 @@ Status SecondDisplay::share() {
 }
 
 SecondDisplay::~SecondDisplay() {
+  if (first_before_ && glfwGetWindowMonitor(first_.window()) == nullptr) {
+    glfwSetWindowSize(first_.window(), first_before_->size.width, first_before_->size.height);
+    glfwSetWindowPos(first_.window(), (*first_before_->at)[0], (*first_before_->at)[1]);
+  }
   window_.reset();  // with its context and what that has
   if (first_.fallback().empty()) glfwMakeContextCurrent(first_.window());
 }

@@ -60,13 +60,16 @@ class Display {
 /// A second window beside a display's, for pictures that are drawn in that one's context.
 class SecondDisplay {
  public:
-  /// On another monitor than the first, which goes to the last one if there are several. The first must
-  /// outlive it. Leaves the first's context the current one.
+  /// On another monitor than the first, which goes to the last one if there are several; on the only one
+  /// beside it, for which the first gives way if it has to, and comes back to its place when this one is
+  /// gone. The first must outlive it. Leaves the first's context the current one.
   static Result<std::unique_ptr<SecondDisplay>> open(const Display& first, const char* title);
   ~SecondDisplay();
 
   GLFWwindow* window() const { return window_.get(); }
   void present(const Framebuffer& picture);
+  /// Where the first was before it gave way; nothing: it did not.
+  const std::optional<WindowPlace>& first_before() const { return first_before_; }
 
  private:
   explicit SecondDisplay(const Display& first) : first_(first) {}
@@ -76,6 +79,7 @@ class SecondDisplay {
   WindowPointer window_;
   std::unique_ptr<PlainWindow> plain_;
   std::unique_ptr<GlContext> context_;
+  std::optional<WindowPlace> first_before_;
   std::optional<Gl> gl_;  ///< of its own context, which has the first's textures
   unsigned around_ = 0;   ///< a framebuffer of its own around one of these
 };

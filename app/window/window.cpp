@@ -2,6 +2,7 @@
 #include "app/window/window.h"
 
 #include "app/window/controls/control_input.h"
+#include "app/window/desktop_watch.h"
 #include "app/window/display.h"
 #include "app/window/frame_log.h"
 #include "app/window/speaker/speaker_window.h"
@@ -50,6 +51,7 @@ class Loop {
       screen().tell("This display has no OpenGL 3.3 (" + display_.fallback() + "): drawn off-screen.");
     screen().set_lessons(options.lessons);
     if (!options.notice.empty()) screen().tell(options.notice);
+    if (options.follows_desktop) desktop_.ask();
   }
   ~Loop() {
     speaker_.reset();
@@ -66,6 +68,7 @@ class Loop {
         wait();
         look_for_changes();
         listen_for_news();
+        follow_desktop();
         if (must_draw()) {
           if (Status drawn = draw(); !drawn) return failure(drawn.error());
           keep();
@@ -76,6 +79,7 @@ class Loop {
     }
     WindowEnd end;
     if (!full_screen_.is_on()) end.place = place_of(display_.window());
+    if (speaker_ && speaker_->audience_before()) end.place = *speaker_->audience_before();
     end.lesson = screen().requests().open_lesson;
     if (!end.lesson.empty()) end.kind = WindowEnd::Kind::other_lesson;
     if (watch.interrupted()) end.kind = WindowEnd::Kind::interrupted;
@@ -133,6 +137,16 @@ class Loop {
   void listen_for_news() {
     if (options_.news) tell(options_.news());
     tell(voice_.trouble());
+  }
+
+  /// Who comes back to the window may have changed the desktop meanwhile.
+  void follow_desktop() {
+    if (!options_.follows_desktop) return;
+    const bool has_focus = glfwGetWindowAttrib(display_.window(), GLFW_FOCUSED) == GLFW_TRUE;
+    if (has_focus && !std::exchange(had_focus_, has_focus)) desktop_.ask();
+    had_focus_ = has_focus;
+    const auto& wishes = desktop_.wishes();
+    if (wishes && follow(*wishes, session_.preferences)) input_.settling = kSettlingFrames;
   }
 
   /// Another step has other words.
@@ -232,6 +246,8 @@ class Loop {
   FrameLog frame_log_;
   std::unique_ptr<SpeakerWindow> speaker_;
   Voice voice_;
+  DesktopWatch desktop_;
+  bool had_focus_ = true;          ///< when it was looked at last
   std::optional<StepPlace> read_;  ///< what is read aloud
   std::string title_, lesson_errors_;
   bool presenting_ = false, was_full_ = false;  ///< before it presented

@@ -25,6 +25,8 @@ struct WindowOptions {
   std::string notice{};  ///< to be told at the beginning
   /// What lessons there are, asked for when they are listed.
   std::function<std::vector<LessonProgress>()> lessons{};
+  /// Whether theme and motion are as the desktop wishes where the person has not chosen.
+  bool follows_desktop = false;
   WindowPlace place{};  ///< of the window when it was closed last
   /// Begins to make slides of the stages that are chosen, in a file of this name (.html, .pdf), and does not
   /// wait. The answer is to be told.

@@ -19,6 +19,16 @@ std::string number(double x) {
   return {text.data(), end};
 }
 
+/// In six digits if it takes more.
+std::string short_number(double x) {
+  constexpr int kDigits = 6;
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, kDigits).ptr;
+  const std::string all = number(x), rounded(text.data(), end);
+  return rounded.size() < all.size() ? rounded : all;
+}
+
 std::string symbol(int axis) { return "I" + std::to_string(axis + 1); }
 
 // largest > b + c by more than 4ε of the sum; every operation but the last is exact (two-sum, Sterbenz).
@@ -44,8 +54,11 @@ std::optional<std::string> why_impossible(double I1, double I2, double I3) {
   const int k = 3 - i - j;
   const int e = std::ilogb(I[i]);  // exact scaling: the sum can then neither overflow nor be subnormal
   if (!exceeds_sum(std::scalbn(I[i], -e), std::scalbn(I[j], -e), std::scalbn(I[k], -e))) return std::nullopt;
-  return symbol(i) + " = " + number(I[i]) + " exceeds " + symbol(j) + " + " + symbol(k) + " = " +
-         number(I[j] + I[k]) + kNoBody + " (each must be at most the sum of the other two)";
+  const double sum = I[j] + I[k];
+  const bool is_close = short_number(I[i]) == short_number(sum);
+  const auto written = [&](double x) { return is_close ? number(x) : short_number(x); };
+  return symbol(i) + " = " + written(I[i]) + " exceeds " + symbol(j) + " + " + symbol(k) + " = " +
+         written(sum) + kNoBody + " (each must be at most the sum of the other two)";
 }
 
 PrincipalMoments::PrincipalMoments(double I1, double I2, double I3) : I_(I1, I2, I3) {

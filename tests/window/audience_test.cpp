@@ -55,5 +55,34 @@ TEST_F(Audience, SeesWhereTheSpeakerPoints) {
   EXPECT_EQ(changed_part(before, lesson().picture_at_rest(), kAudienceFrom, kAudienceTo), 0);
 }
 
+// Of both something has to be seen, and what gave way for a talk comes back.
+TEST(OneScreen, NeitherWindowHidesTheOther) {
+  if (const std::string why = Display::why_not(); !why.empty()) GTEST_SKIP() << why;
+  for (const Size& size : {Size{1366, 768}, Size{1920, 1080}}) {
+    const Home home;
+    const Display display(size);
+    PlayedLesson lesson(display, home, {kPlayed});
+    const Box before = display.box_of(lesson.window());
+    lesson.press({"n"});
+    const pid_t process = lesson.process().id();
+    ASSERT_TRUE(eventually([&] { return display.windows_of(process).size() == 2; }));
+    const auto is_clear = [&] {
+      const std::vector<unsigned> both = display.windows_of(process);
+      const Box a = display.box_of(both[0]), b = display.box_of(both[1]);
+      return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+    };
+    EXPECT_TRUE(eventually(is_clear)) << size.width;
+    for (const unsigned window : display.windows_of(process)) {
+      const Box box = display.box_of(window);
+      EXPECT_TRUE(box.x >= 0 && box.y >= 0 && box.x + box.width <= size.width &&
+                  box.y + box.height <= size.height)
+          << size.width;
+    }
+    lesson.press({"n"});
+    ASSERT_TRUE(eventually([&] { return display.windows_of(process).size() == 1; }));
+    EXPECT_TRUE(eventually([&] { return display.box_of(lesson.window()) == before; })) << size.width;
+  }
+}
+
 }  // namespace
 }  // namespace polhode::window_test

@@ -136,6 +136,13 @@ std::optional<unsigned> Display::window_of(pid_t process) const {
   return windows.empty() ? std::nullopt : std::optional(windows.front());
 }
 
+Box Display::box_of(unsigned window) const {
+  const auto answer =
+      owned(xcb_get_geometry_reply(connection_->to, xcb_get_geometry(connection_->to, window), nullptr));
+  if (!answer) return {};
+  return {answer->x, answer->y, answer->width, answer->height};
+}
+
 std::string Display::title_of(unsigned window) const { return connection_->property(window, "_NET_WM_NAME"); }
 
 void Display::ask_to_close(unsigned window) const {

@@ -13,6 +13,12 @@
 
 namespace polhode::window_test {
 
+/// A rectangle of the display, px.
+struct Box {
+  int x = 0, y = 0, width = 0, height = 0;
+  bool operator==(const Box&) const = default;
+};
+
 class Display {
  public:
   /// Why there can be none here ("Xvfb is not installed"); empty: there can.
@@ -37,6 +43,8 @@ class Display {
   std::vector<unsigned> windows_of(pid_t process) const;
   /// Of the first window of this process that has a title.
   std::optional<unsigned> window_of(pid_t process) const;
+  /// Where it is on the display; without whoever manages windows.
+  Box box_of(unsigned window) const;
   std::string title_of(unsigned window) const;
   /// As the cross in a window's frame does: WM_DELETE_WINDOW.
   void ask_to_close(unsigned window) const;

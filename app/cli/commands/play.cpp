@@ -189,6 +189,7 @@ WindowEnd play_one(const Options& options, const Fonts& fonts, SlidesJob& slides
   session.set_speaker(options.speaker);
   window.keep = [&](const LessonSession& now) { return progress.keep(now); };
   window.lessons = [&] { return lessons_with_progress(session); };
+  window.follows_desktop = true;
   window.place = kept_place();
   window.make_slides = [&](const LessonSession& now, const fs::path& file) {
     return slides.begin(now, file);

@@ -63,6 +63,9 @@ StateFileResult<PreferencesReading> read_preferences(const fs::path& folder) {
         preferences = {theme_from(json.at("theme").get<std::string>()),
                        text_scale_from(json.at("text_scale")), json.at("reduced_motion").get<bool>(),
                        json.value("letter_keys", true)};
+        // Before it was asked what the desktop wishes, what was not as usual was chosen.
+        preferences.own_theme = json.value("own_theme", preferences.theme != Theme::paper);
+        preferences.own_motion = json.value("own_motion", preferences.reduced_motion);
       });
   if (!warning) return Failure{warning.error()};
   return PreferencesReading{preferences, *warning};
@@ -73,7 +76,9 @@ StateFileResult<std::monostate> write_preferences(const fs::path& folder, const 
                           {{"theme", preferences.theme == Theme::dark ? "dark" : "paper"},
                            {"text_scale", preferences.text_scale},
                            {"reduced_motion", preferences.reduced_motion},
-                           {"letter_keys", preferences.letter_keys}});
+                           {"letter_keys", preferences.letter_keys},
+                           {"own_theme", preferences.own_theme},
+                           {"own_motion", preferences.own_motion}});
 }
 
 Bookmark bookmark_of(const LessonSession& session) {

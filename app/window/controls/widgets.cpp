@@ -196,6 +196,32 @@ std::optional<double> time_line(const LessonSession::Interval& interval, double 
   return t_at(pointer);
 }
 
+bool number_slider(const char* id, double& value, double from, double to, const char* format, int flags) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
+  const bool is_typed = ImGui::TempInputIsActive(ImGui::GetID(id));
+  if (!is_typed) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
+  const bool changed = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &from, &to, format, flags);
+  if (is_typed) return changed;
+  ImGui::PopStyleColor();
+  const bool is_log = (flags & ImGuiSliderFlags_Logarithmic) != 0 && from > 0;
+  const double part = is_log ? std::log(std::clamp(value, from, to) / from) / std::log(to / from)
+                             : (value - from) / (to - from);
+  std::array<char, 64> number{};
+  ImFormatString(number.data(), number.size(), format, value);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float edge = 2, width = ImGui::CalcTextSize(number.data()).x, half = 0.5F * style.GrabMinSize,
+              gap = 0.3F * ImGui::GetFontSize();
+  const float thumb = low.x + edge + half +
+                      (high.x - low.x - 2 * (edge + half)) * static_cast<float>(std::clamp(part, 0.0, 1.0));
+  const float middle = 0.5F * (low.x + high.x);
+  float left = middle - 0.5F * width;
+  if (left < thumb + half + gap && left + width > thumb - half - gap)
+    left = thumb > middle ? thumb - half - gap - width : thumb + half + gap;
+  ImGui::GetWindowDrawList()->AddText({std::round(left), low.y + style.FramePadding.y}, ink, number.data());
+  return changed;
+}
+
 void heading(const char* text) {
   ImGui::Dummy({0, 0.2F * ImGui::GetFontSize()});
   ImGui::PushFont(bold_control_font());

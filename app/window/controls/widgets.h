@@ -43,6 +43,10 @@ void tooltip_of_last(const std::string& text);
 std::optional<double> time_line(const LessonSession::Interval& interval, double t_s,
                                 const std::vector<double>& flips, float width);
 
+/// A slider whose number stands beside its thumb where that would be on it. Enter, or Ctrl and a click, types
+/// a number. `format` is that of printf. True: it was changed.
+bool number_slider(const char* id, double& value, double from, double to, const char* format, int flags = 0);
+
 /// A heading within a panel.
 void heading(const char* text);
 /// Words that wrap; nothing of an empty text.

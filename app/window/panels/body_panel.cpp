@@ -55,6 +55,13 @@ void set_moments(PanelContext& context, const Vec3& moments, std::string& refusa
   context.requests.edits = edits;
 }
 
+/// Behind the slider.
+void name_last(const std::string& words) {
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(words.c_str());
+}
+
 void show_state(const SceneModel& model, double t_s) {
   const Vec3 w_B = model.motion->w_B_at(t_s);
   const PrincipalMoments& I = model.scene.body.moments;
@@ -76,9 +83,11 @@ void BodyPanel::edit_moments(PanelContext& context, const Scene& scene, std::str
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 7.5F * ImGui::GetFontSize());
     const double low = least_moments_[i] / unit, high = most_moments_[i] / unit;
     double moment = present[i] / unit;
-    if (!ImGui::SliderScalar(fmt::format("{} {}kg m²", kNames[static_cast<std::size_t>(i)], ten).c_str(),
-                             ImGuiDataType_Double, &moment, &low, &high, "%.4g"))
-      continue;
+    ImGui::PushID(i);
+    const bool is_moved = number_slider("##moment", moment, low, high, "%.4g");
+    name_last(fmt::format("{} {}kg m²", kNames[static_cast<std::size_t>(i)], ten));
+    ImGui::PopID();
+    if (!is_moved) continue;
     Vec3 moments = present;
     moments[i] = moment * unit;
     set_moments(context, moments, refusal);
@@ -107,9 +116,11 @@ void BodyPanel::edit_omega(PanelContext& context, const Scene& scene) const {
   for (int i = 0; i < 3; ++i) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 7.5F * ImGui::GetFontSize());
     double component = scene.w0_B[i];
-    if (!ImGui::SliderScalar(fmt::format("{} rad/s", kNames[static_cast<std::size_t>(i)]).c_str(),
-                             ImGuiDataType_Double, &component, &least, &most, "%.5g"))
-      continue;
+    ImGui::PushID(i);
+    const bool is_moved = number_slider("##omega", component, least, most, "%.5g");
+    name_last(fmt::format("{} rad/s", kNames[static_cast<std::size_t>(i)]));
+    ImGui::PopID();
+    if (!is_moved) continue;
     SceneEdits edits = context.session.edits();
     edits.w0_B = scene.w0_B;
     (*edits.w0_B)[i] = component;

@@ -76,16 +76,21 @@ void choose_step(PanelContext& context, const SceneModel& model) {
   if (facts.control == StepControl::fixed) {
     double step = motion.step_s.value_or(usual_step_s(model));
     const double low = usual_step_s(model) / 256, high = usual_step_s(model) * 16;
-    if (ImGui::SliderScalar("step, s", ImGuiDataType_Double, &step, &low, &high, "%.4g",
-                            ImGuiSliderFlags_Logarithmic)) {
+    const bool is_moved = number_slider("##step", step, low, high, "%.4g", ImGuiSliderFlags_Logarithmic);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::TextUnformatted("step, s");
+    if (is_moved) {
       motion.step_s = step;
       set_motion(context, motion);
     }
   } else {
     double tolerance = motion.tolerance.value_or(kDefaultTolerance);
     const double low = 1e-14, high = 1e-2;
-    if (ImGui::SliderScalar("tolerance", ImGuiDataType_Double, &tolerance, &low, &high, "%.1e",
-                            ImGuiSliderFlags_Logarithmic)) {
+    const bool is_moved =
+        number_slider("##tolerance", tolerance, low, high, "%.1e", ImGuiSliderFlags_Logarithmic);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::TextUnformatted("tolerance");
+    if (is_moved) {
       motion.method = facts.method;
       motion.tolerance = tolerance;
       set_motion(context, motion);

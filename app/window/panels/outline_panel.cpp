@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/controls/widgets.h"
+#include "app/window/panels/answer_controls.h"
 #include "app/window/panels/panels.h"
 #include "app/window/panels/progress_table.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace polhode {
 
@@ -41,6 +44,22 @@ bool stage_row(const std::string& title, std::size_t number, bool is_here, bool 
                ImGui::GetColorU32(ImGuiCol_TextDisabled), count.c_str());
   list.AddText(ImGui::GetFont(), em, {at.x + left, line}, ImGui::GetColorU32(ImGuiCol_Text), title.c_str(),
                nullptr, room);
+  return chosen;
+}
+
+/// A place, and below it what stands there.
+bool found_row(const std::string& place, const std::string& around, bool is_here) {
+  const float em = ImGui::GetFontSize(), left = 0.4F * em;
+  const float room = ImGui::GetContentRegionAvail().x - 2 * left;
+  const ImVec2 head = ImGui::CalcTextSize(place.c_str(), nullptr, false, room),
+               words = ImGui::CalcTextSize(around.c_str(), nullptr, false, room),
+               at = ImGui::GetCursorScreenPos();
+  const bool chosen = ImGui::Selectable("##found", is_here, 0, {0, head.y + words.y + 0.7F * em});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 first{at.x + left, at.y + 0.2F * em};
+  list.AddText(ImGui::GetFont(), em, first, ImGui::GetColorU32(ImGuiCol_Text), place.c_str(), nullptr, room);
+  list.AddText(ImGui::GetFont(), em, {first.x, first.y + head.y + 0.1F * em},
+               ImGui::GetColorU32(ImGuiCol_TextDisabled), around.c_str(), nullptr, room);
   return chosen;
 }
 
@@ -113,13 +132,73 @@ void OutlinePanel::choose_for_class(PanelContext& context) {
   }
 }
 
+/// Where the words stand that are typed. Enter goes to the next of these places.
+void OutlinePanel::draw_found(PanelContext& context) {
+  LessonSession& session = context.session;
+  if (found_.empty()) return quiet_words("Nothing in this lesson has these words.");
+  quiet_words(fmt::format("{} step{}; Enter: the next", found_.size(), found_.size() == 1 ? "" : "s"));
+  ImGui::BeginChild("found", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  std::optional<StepPlace> chosen;
+  for (const LessonSearch::Found& found : found_) {
+    const Stage& stage = session.lesson().stages[found.place.stage];
+    std::string title = context.speech.words_of_title(stage);
+    if (!title.empty() && title.back() == '.') title.pop_back();
+    const bool here = found.place == session.place();
+    ImGui::PushID(&found);
+    if (found_row(fmt::format("{}.{}  {}", found.place.stage + 1, found.place.step + 1, title), found.around,
+                  here))
+      chosen = found.place;
+    if (here && scrolled_to_ != session.place()) {
+      ImGui::SetScrollHereY(0.4F);
+      scrolled_to_ = session.place();
+    }
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
+  if (chosen) session.go_to(*chosen);
+}
+
+/// An author's lesson may be another one by now.
+void OutlinePanel::find(PanelContext& context) {
+  found_.clear();
+  if (looked_for_.empty()) return;
+  if (searched_ != context.session.loaded_pointer())
+    search_ = std::make_unique<LessonSearch>(context.session.lesson(), context.speech);
+  searched_ = context.session.loaded_pointer();
+  found_ = search_->find(looked_for_);
+}
+
 void OutlinePanel::draw(PanelContext& context) {
   LessonSession& session = context.session;
-  const std::vector<Stage>& stages = session.lesson().stages;
-  quiet_words(fmt::format("{} of {} stages seen", session.visited().size(), stages.size()));
+  ImGui::SetNextItemWidth(-1);
+  if (std::exchange(context.finds, false)) ImGui::SetKeyboardFocusHere();
+  const std::string before = looked_for_;
+  const bool entered = ImGui::InputTextWithHint("##find", "find in this lesson", &looked_for_,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  tooltip_of_last(told(Command::find));
+  if (looked_for_.empty()) show_hint_from_left();
+  if (looked_for_ != before || (searched_ && searched_ != session.loaded_pointer())) find(context);
+  if (entered) {
+    keep_typing(true);
+    const auto next = std::find_if(found_.begin(), found_.end(), [&](const LessonSearch::Found& found) {
+      return session.place() < found.place;
+    });
+    if (!found_.empty()) session.go_to(next == found_.end() ? found_.front().place : next->place);
+  }
+  if (!looked_for_.empty()) return draw_found(context);
+  quiet_words(fmt::format("{} of {} stages seen", session.visited().size(), session.lesson().stages.size()));
   draw_progress(context);
   choose_for_class(context);
-  ImGui::BeginChild("stages", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  draw_stages(context);
+}
+
+void OutlinePanel::draw_stages(PanelContext& context) {
+  constexpr float kLeast = 12;  // em; where there is less the panel scrolls
+  LessonSession& session = context.session;
+  const std::vector<Stage>& stages = session.lesson().stages;
+  const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().y;
+  ImGui::BeginChild("stages", {0, room < kLeast * em ? kLeast * em : 0}, false,
+                    ImGuiWindowFlags_NavFlattened);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     std::string title = context.speech.words_of_title(stages[i]);
     if (!title.empty() && title.back() == '.') title.pop_back();

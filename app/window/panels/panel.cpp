@@ -21,8 +21,8 @@ const char* title_of(Panel panel) {
 }
 
 /// Whether the panel that is open has something to be typed.
-bool has_text_field(const LessonSession& session) {
-  if (session.panel == Panel::save) return true;
+bool has_text_field(const LessonSession& session, bool finds) {
+  if (session.panel == Panel::save || (session.panel == Panel::outline && finds)) return true;
   const std::vector<const Ask*> asks = session.questions();
   return session.panel == Panel::question &&
          std::any_of(asks.begin(), asks.end(), [](const Ask* ask) { return is_typed(*ask); });
@@ -112,11 +112,12 @@ void Panels::draw(PanelContext& context, const Region& region) {
   // before.
   const bool asks = context.session.panel == Panel::question;
   if (is_focused && context.take_focus) takes_keys_ = !asks;
-  const bool opens_by_key = is_focused && context.take_focus && !asks;
+  const bool opens_by_key = is_focused && context.take_focus && !asks && !context.finds;
   if ((std::exchange(shows_focus_, false) || opens_by_key) && !only_scrolls) focus_first_control();
   if (is_focused) step_focus();
   has_focus_ = is_focused && (takes_keys_ || (io.NavVisible && !asks) || io.WantTextInput);
-  awaits_text_ = is_focused && !takes_keys_ && !io.WantTextInput && has_text_field(context.session);
+  awaits_text_ =
+      is_focused && !takes_keys_ && !io.WantTextInput && has_text_field(context.session, outline_.finds());
   context.has_keys = has_focus_;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRectFullScreen();
@@ -129,9 +130,11 @@ void Panels::draw(PanelContext& context, const Region& region) {
   ImGui::TextUnformatted(title_of(context.session.panel));
   ImGui::PopFont();
   const std::pair now(context.session.panel, context.session.place());
-  if (std::exchange(shown_, now) != now) refusal_.clear();
+  const std::pair before = std::exchange(shown_, now);
+  if (before != now) refusal_.clear();
   ImGui::BeginChild("contents", {0, 0}, false,
                     only_scrolls ? ImGuiWindowFlags_NoNavInputs : ImGuiWindowFlags_NavFlattened);
+  if (before.first != now.first) ImGui::SetScrollY(0);
   draw_contents(context);
   ImGui::EndChild();
   make_edits(context);

@@ -20,6 +20,7 @@ namespace polhode {
 struct WindowRequests {
   bool quit = false, full_screen = false, leave_full_screen = false;
   bool next_step = false;
+  bool find = false;                    ///< words are to be typed that are looked for
   bool type_answer = false;             ///< the panel of questions was opened by the mouse, to be typed in
   const Ask* type_answer_to = nullptr;  ///< the one that was clicked; null: none
   std::string open_lesson{};            ///< id of another lesson; empty: none
@@ -48,6 +49,7 @@ struct PanelContext {
   double clock_s = 0;                          ///< since the window opened
   const std::vector<LessonProgress>& lessons;  ///< all that there are, this one among them
   bool take_focus = false;                     ///< the panel was just opened by a key, or to be typed in
+  bool finds = false;                          ///< and words are to be typed that are looked for
   const Ask* typed_to = nullptr;               ///< whose field takes it; null: the first that there is
   bool has_keys = false;                       ///< keys are for the panel (Panels::has_focus)
 };

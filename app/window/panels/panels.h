@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/session/accuracy_meter.h"
+#include "app/session/lesson_search.h"
 #include "app/session/method_cost.h"
 #include "app/window/panels/panel_context.h"
 #include "lessons/claims/live_claims.h"
@@ -16,9 +17,18 @@ namespace polhode {
 class OutlinePanel {
  public:
   void draw(PanelContext& context);
+  bool finds() const { return !looked_for_.empty(); }  ///< words are typed that are looked for
 
  private:
   void choose_for_class(PanelContext& context);
+  void find(PanelContext& context);
+  void draw_found(PanelContext& context);
+  void draw_stages(PanelContext& context);
+
+  std::string looked_for_;
+  std::unique_ptr<LessonSearch> search_;          ///< made when something is looked for first
+  std::shared_ptr<const LoadedLesson> searched_;  ///< the lesson of search_
+  std::vector<LessonSearch::Found> found_;
 
   std::optional<StepPlace> scrolled_to_;
   bool chooses_ = false;  ///< stages for a class are being chosen

@@ -5,7 +5,39 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <utility>
+
 namespace polhode {
+
+namespace {
+
+/// What the desktop wishes is known to the window, which follows it.
+constexpr const char* kOfDesktop = "as the desktop";
+
+void choose_theme(Preferences& preferences) {
+  if (radio_button(kOfDesktop, !preferences.own_theme)) preferences.own_theme = false;
+  for (const auto& [words, theme] : {std::pair("paper", Theme::paper), std::pair("dark", Theme::dark)}) {
+    ImGui::SameLine();
+    if (!radio_button(words, preferences.own_theme && preferences.theme == theme)) continue;
+    preferences.theme = theme;
+    preferences.own_theme = true;
+  }
+}
+
+void choose_motion(Preferences& preferences) {
+  ImGui::PushID("motion");
+  if (radio_button(kOfDesktop, !preferences.own_motion)) preferences.own_motion = false;
+  for (const auto& [words, reduced] : {std::pair("full", false), std::pair("reduced", true)}) {
+    ImGui::SameLine();
+    if (!radio_button(words, preferences.own_motion && preferences.reduced_motion == reduced)) continue;
+    preferences.reduced_motion = reduced;
+    preferences.own_motion = true;
+  }
+  quiet_words("Reduced: nothing fades, travels or plays by itself.");
+  ImGui::PopID();
+}
+
+}  // namespace
 
 void draw_settings(PanelContext& context) {
   LessonSession& session = context.session;
@@ -24,12 +56,9 @@ void draw_settings(PanelContext& context) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(fmt::format("now {:.0f} %", 100 * session.preferences.text_scale).c_str());
   heading("Theme");
-  Theme& theme = session.preferences.theme;
-  if (radio_button("paper", theme == Theme::paper)) theme = Theme::paper;
-  ImGui::SameLine();
-  if (radio_button("dark", theme == Theme::dark)) theme = Theme::dark;
+  choose_theme(session.preferences);
   heading("Motion on the page");
-  ImGui::Checkbox("reduced: nothing fades or travels", &session.preferences.reduced_motion);
+  choose_motion(session.preferences);
   heading("Keys");
   ImGui::Checkbox("letters are commands", &session.preferences.letter_keys);
   quiet_words(

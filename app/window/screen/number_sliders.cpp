@@ -43,8 +43,8 @@ SlidersUsed draw_number_sliders(LessonSession& session, const Region& figure, co
     ImGui::SetNextItemWidth(-1);
     double value = number.value;
     const std::string format = fmt::format("%.4g {}", facts.unit);
-    bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &number.from, &number.to,
-                                       format.c_str(), ImGuiSliderFlags_NoInput);
+    bool changed =
+        number_slider("##value", value, number.from, number.to, format.c_str(), ImGuiSliderFlags_NoInput);
     // A slider follows the mouse as long as it is down, after the second click too.
     if (ImGui::IsItemActive() && ImGui::GetIO().MouseClickedLastCount[0] > 1) {
       value = session.step().scene->vary[i].value;

@@ -118,13 +118,19 @@ float Screen::panel_width(const LessonSession& session, Size size) const {
   return std::min(sizes_->panel, std::round(0.45F * static_cast<float>(size.width)));
 }
 
-/// What bar and panel leave. Beside text that has the figure on its right a panel lies over the figure's
-/// side: nothing of the text moves.
+/// What the bar leaves. A panel lies over the figure's side: nothing of the text moves.
 Region Screen::page_region(const LessonSession& session, Size size) const {
   Region region{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
   if (!session.is_presenting()) region.height -= bar_height(*sizes_, region.width);
-  if (!stands_side_by_side(whole(region))) region.width -= panel_width(session, size);
   return region;
+}
+
+/// Where the figure is above the text a panel is as high as the figure, as the last frame had it.
+float Screen::panel_height(const LessonSession& session, const Region& page) const {
+  constexpr float kLeast = 14;  // em
+  const auto ceiling = static_cast<float>(page_->page().ceiling);
+  if (!session.has_scene() || stands_side_by_side(whole(page)) || ceiling <= 0) return page.height;
+  return std::min(page.height, std::max(ceiling, kLeast * sizes_->em));
 }
 
 /// What of the page a panel lies over.
@@ -137,6 +143,10 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   ImGui::SetCurrentContext(imgui_);
   const bool typing = ImGui::GetIO().WantTextInput;
   if (!is_repeated) session.begin_change();
+  if (has_menu_ && key == "Escape") {
+    has_menu_ = false;
+    return true;
+  }
   if (typing && key == "Escape") {  // of the field alone: the panel stays
     ImGui::SetWindowFocus(nullptr);
     return true;
@@ -274,6 +284,10 @@ bool Screen::do_in_window(LessonSession& session, Command command) {
       else if (!follow(session, symbols_.focused(page_->symbols())))
         symbols_.toggle_explanation();
       break;
+    case Command::find:
+      session.panel = Panel::outline;
+      requests_.find = true;
+      break;
     case Command::save_page:
       requests_.save_as = SaveAs::page;
       break;
@@ -406,16 +420,18 @@ Result<bool> Screen::show_page(LessonSession& session, const Region& region, dou
 
 void Screen::lay_out_controls(LessonSession& session, const Region& page, Size size) {
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
-  PanelContext context{.session = session,
-                       .speech = *speech_,
-                       .texts = *texts_,
-                       .sizes = *sizes_,
-                       .requests = requests_,
-                       .frame_ms = 1e3 * page_s_,
-                       .clock_s = clock_s_,
-                       .lessons = lessons_,
-                       .take_focus = std::exchange(panel_takes_focus_, false) || requests_.type_answer,
-                       .typed_to = std::exchange(requests_.type_answer_to, nullptr)};
+  PanelContext context{
+      .session = session,
+      .speech = *speech_,
+      .texts = *texts_,
+      .sizes = *sizes_,
+      .requests = requests_,
+      .frame_ms = 1e3 * page_s_,
+      .clock_s = clock_s_,
+      .lessons = lessons_,
+      .take_focus = std::exchange(panel_takes_focus_, false) || requests_.type_answer || requests_.find,
+      .finds = std::exchange(requests_.find, false),
+      .typed_to = std::exchange(requests_.type_answer_to, nullptr)};
   requests_.type_answer = false;
   const bool lists_lessons = session.panel == Panel::outline || session.panel == Panel::question;
   if (lists_lessons && find_lessons_) lessons_ = std::exchange(find_lessons_, nullptr)();
@@ -423,7 +439,7 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
   texts_->begin_frame(session.lesson(), session.step(), session.preferences.theme, sizes_->em);
   if (session.is_black()) return;
   const float panel = panel_width(session, size);
-  if (panel > 0) panels_.draw(context, {width - panel, 0, panel, page.height});
+  if (panel > 0) panels_.draw(context, {width - panel, 0, panel, panel_height(session, page)});
   if (session.is_presenting()) return;
   draw_bar(context, {0, page.height, width, height - page.height});
 }
@@ -455,6 +471,7 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
                        io.MousePos.y < page.height && !io.WantCaptureMouse;
   const auto under =
       on_page ? page_->symbol_under({io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt;
+  draw_page_menu(session, on_page, under);
   const bool points = !drag_.is_held() && !io.MouseDown[0];
   symbols_.point_at(session, page_->symbols(), points ? under : std::nullopt);
   if (under && io.MouseClicked[0] && follow(session, page_->symbols()[*under].name)) return;

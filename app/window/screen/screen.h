@@ -94,6 +94,7 @@ class Screen {
   void adopt_style(const LessonSession& session, const ScreenFrame& frame);
   Region page_region(const LessonSession& session, Size size) const;
   float panel_width(const LessonSession& session, Size size) const;
+  float panel_height(const LessonSession& session, const Region& page) const;
   float covered_width(const LessonSession& session, Size size) const;
   bool press_while_presenting(LessonSession& session, std::string_view key);
   bool holds_back(const LessonSession& session, bool is_repeated);
@@ -101,6 +102,9 @@ class Screen {
   void move_symbol(LessonSession& session, int by);
   void type_ahead(LessonSession& session);
   void scroll_by_wheel();
+  void draw_page_menu(LessonSession& session, bool on_page, std::optional<std::size_t> under);
+  void offer_of_text(LessonSession& session);
+  void offer_of_figure(LessonSession& session);
   bool walks_by_click(LessonSession& session, const Vec2& at, bool is_free) const;
   void draw_scroll_marks(const LessonSession& session);
   void draw_invitation(const LessonSession& session);
@@ -143,6 +147,9 @@ class Screen {
   std::optional<Theme> theme_;
   std::string stage_title_;
   double clock_s_ = 0, page_s_ = 0, frame_s_ = 0, pointed_s_ = 0;  ///< pointed_s_: the pointer moved
+  bool has_menu_ = false;  ///< what can be done with what is there: open
+  bool menu_is_of_figure_ = false;
+  std::string menu_of_{};      ///< the symbol or link that it was opened on; empty: none
   int frames_of_tooltip_ = 0;  ///< since the pointer has rested for as long as a tooltip waits
   bool is_full_ = true, was_moving_ = false;
   StepPlace shown_place_{};

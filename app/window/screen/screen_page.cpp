@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 
@@ -134,6 +135,68 @@ void Screen::draw_spot(const LessonSession& session) const {
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   list.AddCircleFilled(at, radius, kRed, 32);
   list.AddCircle(at, radius + 0.5F * rim, kWhite, 32, rim);
+}
+
+/// By the other button of the mouse: what can be done with what is there, and by which key.
+void Screen::draw_page_menu(LessonSession& session, bool on_page, std::optional<std::size_t> under) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const char* const name = "page menu";
+  if (on_page && io.MouseClicked[1]) {
+    const PixelBox& figure = page_->page().figure;
+    const double x = io.MousePos.x, y = io.MousePos.y;
+    menu_of_ = under ? page_->symbols()[*under].name : "";
+    menu_is_of_figure_ = x >= figure.x0 && x < figure.x1 && y >= figure.y0 && y < figure.y1;
+    has_menu_ = true;
+    ImGui::OpenPopup(name);
+  }
+  if (!has_menu_) {
+    if (ImGui::IsPopupOpen(name)) ImGui::ClosePopupToLevel(0, true);
+    return;
+  }
+  if (!ImGui::BeginPopup(name, ImGuiWindowFlags_NoMove)) {
+    has_menu_ = false;
+    return;
+  }
+  if (menu_is_of_figure_)
+    offer_of_figure(session);
+  else
+    offer_of_text(session);
+  ImGui::EndPopup();
+}
+
+namespace {
+
+bool menu_item(Command command, const char* words, bool is_possible = true) {
+  const std::string_view keys = facts_of(command).keys;
+  return ImGui::MenuItem(words, std::string(keys.substr(0, keys.find(','))).c_str(), false, is_possible);
+}
+
+}  // namespace
+
+void Screen::offer_of_text(LessonSession& session) {
+  if (menu_of_.find("://") != menu_of_.npos) {
+    if (ImGui::MenuItem("Copy this address")) follow(session, menu_of_);
+    ImGui::Separator();
+  }
+  if (menu_item(Command::copy_step, "Copy this step as text")) do_in_window(session, Command::copy_step);
+  std::string tex;
+  for (const Equation* equation : blocks_of<Equation>(session.step())) tex += equation->tex + "\n";
+  if (ImGui::MenuItem("Copy its equations as TeX", nullptr, false, !tex.empty())) requests_.clipboard = tex;
+  if (menu_item(Command::read_aloud, "Read it aloud")) do_in_window(session, Command::read_aloud);
+  if (menu_item(Command::find, "Find…")) do_in_window(session, Command::find);
+}
+
+void Screen::offer_of_figure(LessonSession& session) {
+  if (menu_item(Command::play_pause, session.is_playing() ? "Pause" : "Play"))
+    do_command(session, Command::play_pause);
+  if (menu_item(Command::next_view, "Seen from: the next")) do_command(session, Command::next_view);
+  if (ImGui::MenuItem("The lesson's camera")) session.set_camera(session.lesson_scene().camera);
+  if (menu_item(Command::undo, "Undo", session.can_undo())) do_command(session, Command::undo);
+  if (menu_item(Command::reset_scene, "The lesson's scene", !session.edits().empty()))
+    do_command(session, Command::reset_scene);
+  if (ImGui::MenuItem("Save the figure")) requests_.save_as = SaveAs::figure;
+  if (menu_item(Command::show, "What is shown…")) session.panel = Panel::show;
+  if (menu_item(Command::body, "Body and spin…")) session.panel = Panel::body;
 }
 
 void Screen::scroll_by_wheel() {

@@ -17,6 +17,17 @@ constexpr const char* kAnyUnit = "any";  // of a letter that may stand for any q
 
 constexpr float kWidestNote = 26;  // em
 
+/// Of its window.
+float height_of(const SymbolNote& note, float em) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float line = em + style.ItemSpacing.y;
+  float height = 2 * style.WindowPadding.y +
+                 ImGui::CalcTextSize(note.meaning.c_str(), nullptr, false, kWidestNote * em).y;
+  if (!note.value.empty() || !note.unit.empty()) height += line;
+  if (!note.value.empty() && !note.frame.empty()) height += line;
+  return height;
+}
+
 }  // namespace
 
 std::string SymbolFocus::focused(const Symbols& symbols) const {
@@ -31,10 +42,9 @@ void SymbolFocus::move(LessonSession& session, const Symbols& symbols, int by) {
   const auto count = static_cast<int>(symbols.size());
   if (count == 0) return;
   const int none = by > 0 ? -1 : count;
-  const int next = (focus_ ? static_cast<int>(*focus_) : none) + by;
-  focus_.reset();
-  if (next >= 0 && next < count) focus_ = static_cast<std::size_t>(next);
-  explains_ = focus_.has_value();
+  const int next = (focus_ && *focus_ < symbols.size() ? static_cast<int>(*focus_) : none) + by;
+  focus_ = static_cast<std::size_t>((next + count) % count);
+  explains_ = true;
   light_focus(session, symbols);
 }
 
@@ -67,9 +77,13 @@ void SymbolFocus::draw_note(const LessonSession& session, const Symbols& symbols
                                   session.stage().id, session.place().step);
   const bool is_term = symbol.is_term && !is_link_name(symbol.name);
   if (note.value.empty() && (note.meaning.empty() || (is_term && note.meaning.size() > kMostWords))) return;
-  const TypeBox& box = symbol.box;
-  const bool above = box.y0 > 0.25 * ImGui::GetIO().DisplaySize.y;
+  // Not on the formula that it explains; where that is high, a paragraph say, not on its line.
+  constexpr float kHighest = 9;  // em
+  const bool is_low = symbol.around.y1 - symbol.around.y0 < static_cast<double>(kHighest * em);
+  TypeBox box = symbol.box;
+  if (is_low) box.y0 = symbol.around.y0, box.y1 = symbol.around.y1;
   const float gap = 0.5F * em;
+  const bool above = box.y0 > static_cast<double>(height_of(note, em) + gap);
   ImGui::SetNextWindowPos({static_cast<float>(0.5 * (box.x0 + box.x1)),
                            above ? static_cast<float>(box.y0) - gap : static_cast<float>(box.y1) + gap},
                           ImGuiCond_Always, {box.x0 < 10 * em ? 0.1F : 0.5F, above ? 1.0F : 0.0F});

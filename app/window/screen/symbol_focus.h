@@ -20,7 +20,7 @@ class SymbolFocus {
   std::optional<std::size_t> place() const { return focus_; }
   bool is_pointed_at() const { return hovered_.has_value(); }
 
-  /// To the next (1) or the one before (-1); beyond the last comes none.
+  /// To the next (1) or the one before (-1); behind the last comes the first.
   void move(LessonSession& session, const Symbols& symbols, int by);
   /// The name of what keys have reached; empty: nothing.
   std::string focused(const Symbols& symbols) const;

@@ -112,7 +112,9 @@ void ScreenOfSpeaker::adopt_style(const LessonSession& session, const ScreenFram
 ScreenOfSpeaker::Areas ScreenOfSpeaker::areas_of(Size size) const {
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
   const float gap = sizes_->padding, left = std::round(0.6F * width);
-  const float top = gap + 1.9F * sizes_->em, bar = 2 * sizes_->bar;
+  // In a half of a screen the buttons take a second row, and where we are stands below the time.
+  constexpr float kOneRow = 46;  // em
+  const float top = gap + 1.9F * sizes_->em, bar = (left < kOneRow * sizes_->em ? 3.2F : 2.0F) * sizes_->bar;
   const Region room{gap, top, left - 2 * gap, 0.62F * height};
   const Region page = fitted(room, audience_.picture().size());
   const float below = page.y + page.height;
@@ -165,11 +167,11 @@ void ScreenOfSpeaker::draw_clock(const LessonSession& session) {
   ImGui::SameLine();
   if (ImGui::SmallButton("from 0:00")) begun_s_ = clock_s_;
   tooltip_of_last("Begin to count the time again");
-  ImGui::SameLine();
-  ImGui::TextUnformatted(fmt::format("  {}; stage {} of {}, step {} of {}", count_text(session),
-                                     session.place().stage + 1, session.lesson().stages.size(),
-                                     session.place().step + 1, session.stage().steps.size())
-                             .c_str());
+  const std::string where =
+      fmt::format("{}; stage {} of {}, step {} of {}", count_text(session), session.place().stage + 1,
+                  session.lesson().stages.size(), session.place().step + 1, session.stage().steps.size());
+  same_line_if_fits(where.c_str());
+  plain_words(where);
 }
 
 void ScreenOfSpeaker::draw_outline(LessonSession& session, const Region& region) {

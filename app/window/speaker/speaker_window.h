@@ -21,6 +21,8 @@ class SpeakerWindow {
 
   /// By the cross in its frame.
   bool is_closed() const;
+  /// Where the audience's window was before it gave way to this one; nothing: it did not.
+  const std::optional<WindowPlace>& audience_before() const { return display_->first_before(); }
   /// When it has something new to show: by input, by the clock, or since the audience saw another picture.
   double wakes_at_s() const;
   void follow_audience() { is_behind_ = true; }

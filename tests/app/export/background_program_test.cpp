@@ -31,6 +31,14 @@ TEST(BackgroundProgram, RunsBesideAndTellsItsEnd) {
   EXPECT_EQ(program.code(), 3);
 }
 
+TEST(BackgroundProgram, KeepsItsAnswerForWhoAsks) {
+  auto begun = BackgroundProgram::start({"sh", "-c", "echo told; echo why >&2"}, true);
+  ASSERT_TRUE(begun) << begun.error();
+  BackgroundProgram program = std::move(begun).value();
+  EXPECT_EQ(code_in_the_end(program), 0);
+  EXPECT_EQ(program.answer(), "told\nwhy\n");
+}
+
 TEST(BackgroundProgram, IsEnded) {
   auto begun = BackgroundProgram::start({"sleep", "1000"});
   ASSERT_TRUE(begun) << begun.error();

@@ -60,7 +60,7 @@ TEST(Command, WhatOnlyAWindowCanDoIsLeftToIt) {
   const std::set<Command> of_windows = {Command::next_symbol,  Command::previous_symbol, Command::explain,
                                         Command::save_page,    Command::full_screen,     Command::quit,
                                         Command::switch_focus, Command::scroll_down,     Command::scroll_up,
-                                        Command::copy_step,    Command::read_aloud};
+                                        Command::copy_step,    Command::read_aloud,      Command::find};
   for (const CommandFacts& facts : all_commands())
     EXPECT_EQ(do_command(session, facts.command), of_windows.count(facts.command) == 0) << facts.does;
 }

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 const Bookmark kBookmark{"free", 3, {"free", "top"}, {"words"}};
-const Preferences kPreferences{Theme::dark, 1.21, true};
+const Preferences kPreferences{Theme::dark, 1.21, true, false, true, true};
 
 TEST(Bookmark, IsReadAsItWasWritten) {
   const ScratchFolder scratch;

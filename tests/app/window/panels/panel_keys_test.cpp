@@ -108,8 +108,9 @@ TEST_F(PanelKeys, DoInEveryPanelWhatTheyDoOnThePage) {
   const std::set<std::string> moving = {"Left", "Right",     "Up",     "Down",     "Space", "Enter",
                                         "Tab",  "Shift+Tab", "PageUp", "PageDown", "Home",  "End"};
   const std::set<std::string> scrolling = {"Up", "Down", "PageUp", "PageDown", "Home", "End"};
-  const std::set<Command> of_panels = {C::outline,  C::body, C::method, C::show,         C::question, C::save,
-                                       C::settings, C::help, C::leave,  C::switch_focus, C::explain};
+  const std::set<Command> of_panels = {C::outline,  C::body,         C::method,   C::show,
+                                       C::question, C::save,         C::settings, C::help,
+                                       C::leave,    C::switch_focus, C::explain,  C::find};
   int pressed = 0;
   for (const bool presents : {false, true}) {
     std::map<std::string, std::string> on_page;

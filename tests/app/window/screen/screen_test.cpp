@@ -92,7 +92,75 @@ TEST_F(ScreenTest, TabGoesThroughTheSymbolsOfThePageAndBack) {
   EXPECT_EQ(session.lit(), screen->page().symbols()[1].name);
   screen->press(session, "Shift+Tab");
   screen->press(session, "Shift+Tab");
+  EXPECT_EQ(session.lit(), screen->page().symbols().back().name) << "no stop where nothing is";
+  screen->press(session, "Tab");
+  EXPECT_EQ(session.lit(), screen->page().symbols()[0].name);
+  screen->press(session, "Escape");
   EXPECT_EQ(session.lit(), "");
+}
+
+// What explains a formula lies above or below it.
+TEST_F(ScreenTest, ANoteDoesNotLieOnTheFormulaThatItExplains) {
+  session.go_to({11, 0});
+  frame(3);
+  const Image without = screen->read();
+  const std::vector<PageSymbol> symbols = screen->page().symbols();
+  int told = 0;
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    screen->press(session, "Tab");
+    frame(3);
+    const TypeBox& of = symbols[i].around;
+    if (of.y1 - of.y0 < 60 || of.y1 - of.y0 > 9 * 15) continue;  // a display is higher than a line
+    const Image with = screen->read();
+    // In its right margin nothing is lit, and nothing lies there.
+    for (int row = static_cast<int>(of.y0) + 2; row < static_cast<int>(of.y1) - 2; ++row)
+      for (int at = static_cast<int>(of.x1) + 4; at < static_cast<int>(of.x1) + 30; ++at)
+        ASSERT_EQ(with.pixel(at, row)[2], without.pixel(at, row)[2]) << symbols[i].name;
+    ++told;
+  }
+  EXPECT_GT(told, 3);
+}
+
+TEST_F(ScreenTest, WordsAreFoundAndGoneTo) {
+  frame(3);
+  ASSERT_TRUE(screen->press(session, "Ctrl+F"));
+  frame(4);
+  EXPECT_EQ(session.panel, Panel::outline);
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput) << "they are typed at once";
+  ImGui::GetIO().AddInputCharactersUTF8("Poinsot pictured");
+  frame(3);
+  EXPECT_EQ(session.place(), StepPlace{}) << "nobody jumps while he types";
+  give_to_panel(ImGuiKey_Enter);
+  EXPECT_EQ(session.stage().id, "poinsot");
+  frame(3);
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput) << "for the next place";
+}
+
+TEST_F(ScreenTest, TheOtherButtonOffersWhatCanBeDone) {
+  session.go_to({11, 0});
+  frame(3);
+  const auto is_open = [] { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); };
+  const auto press_other = [&](double at_x, double at_y) {
+    move(at_x, at_y);
+    ImGui::GetIO().MouseDown[1] = true;
+    frame(2);
+    ImGui::GetIO().MouseDown[1] = false;
+    frame(3);
+  };
+  const Image before = screen->read();
+  press_other(300, 600);
+  EXPECT_TRUE(is_open());
+  EXPECT_NE(screen->read().rgba, before.rgba);
+  const float em = 15;
+  click(300 + 4 * em, 600 + 1.2 * em);  // the first of it
+  EXPECT_EQ(screen->notice(), "copied");
+  EXPECT_FALSE(is_open());
+  press_other(0.5 * (screen->page().page().figure.x0 + 1280), 300);
+  EXPECT_TRUE(is_open());
+  ASSERT_TRUE(screen->press(session, "Escape"));
+  frame(3);
+  EXPECT_FALSE(is_open());
+  EXPECT_FALSE(session.is_playing());
 }
 
 TEST_F(ScreenTest, ASymbolUnderThePointerLightsUp) {
@@ -227,6 +295,22 @@ TEST_F(ScreenTest, TheWheelOverTheOutlineScrollsIt) {
   EXPECT_EQ(session.place(), (StepPlace{0, 0}));
   EXPECT_EQ(session.visited().size(), 1U);
   EXPECT_NE(screen->read().rgba, before.rgba);
+}
+
+TEST_F(ScreenTest, APanelBeginsAtItsTop) {
+  session.panel = Panel::show;
+  frame(3);
+  move(kSize.width - 150, 500);
+  const Image at_top = screen->read();
+  session.panel = Panel::help;
+  frame(3);
+  for (int i = 0; i < 8; ++i) {
+    ImGui::GetIO().MouseWheel = -1;
+    frame(2);
+  }
+  session.panel = Panel::show;
+  frame(4);
+  EXPECT_TRUE(screen->read().rgba == at_top.rgba) << "however far another was scrolled";
 }
 
 TEST_F(ScreenTest, AnotherLessonIsOpenedFromTheOutline) {

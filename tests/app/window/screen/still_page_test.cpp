@@ -44,6 +44,33 @@ TEST_F(StillPageTest, APanelLiesBesideTheTextWithoutTouchingIt) {
   EXPECT_EQ(screen->page().page().figure.x1, figure_right);
 }
 
+// Where the figure is above the text, the panel is beside the figure.
+TEST_F(StillPageTest, InAHighWindowAPanelLiesOverTheFigureAlone) {
+  const Size high{800, 1200};
+  const auto below_figure = [&] {
+    const Image shown = screen->read();
+    const auto ceiling = static_cast<std::ptrdiff_t>(screen->page().page().ceiling) + 1;
+    constexpr int kBar = 100;  // where the panel's button is pressed
+    return std::vector<std::uint8_t>(shown.rgba.begin() + 4 * ceiling * high.width,
+                                     shown.rgba.end() - std::ptrdiff_t{4} * kBar * high.width);
+  };
+  for (const StepPlace place : {StepPlace{0, 1}, StepPlace{26, 2}}) {
+    session.panel = Panel::none;
+    session.go_to(place);
+    draw_at(high, 4);
+    const auto before = below_figure();
+    const PixelBox figure = screen->page().page().figure;
+    ASSERT_GT(figure.width(), 700);
+    for (const Panel panel : {Panel::outline, Panel::body, Panel::method, Panel::show, Panel::question,
+                              Panel::save, Panel::settings, Panel::help}) {
+      session.panel = panel;
+      draw_at(high);
+      EXPECT_TRUE(below_figure() == before) << static_cast<int>(panel);
+      EXPECT_LT(screen->page().page().figure.x1, figure.x1 - 200) << "it keeps clear of the panel";
+    }
+  }
+}
+
 // That a scene was changed is told beside a panel, not over it: neither hides the other.
 TEST_F(StillPageTest, WhatLiesOnTheFigureKeepsClearOfAPanel) {
   const Size small{900, 600};

@@ -4,6 +4,8 @@
 
 #include "tests/app/window/screen_harness.h"
 
+#include <imgui_internal.h>
+
 #include <cstring>
 
 namespace polhode {
@@ -54,6 +56,21 @@ int differing(const Image& a, const Image& b, int x0, int y0, int x1, int y1) {
   for (int row = y0; row < y1; ++row)
     for (int at = x0; at < x1; ++at) count += std::memcmp(a.pixel(at, row), b.pixel(at, row), 4) != 0;
   return count;
+}
+
+// Beside the audience's on the only screen it has a half.
+TEST_F(SpeakerTest, NothingIsCutInAHalfOfAScreen) {
+  both();
+  for (const Size size : {Size{683, 768}, Size{640, 1080}, Size{960, 800}, kSize}) {
+    ImGui::SetCurrentContext(speaker->imgui());
+    for (int i = 0; i < 4; ++i)
+      ASSERT_TRUE(speaker->draw(session, {.size = size, .scale = 1, .seconds = 0.02}));
+    const ImGuiWindow* controls = ImGui::FindWindowByName("walk");
+    ASSERT_NE(controls, nullptr);
+    EXPECT_EQ(controls->ScrollMax.x, 0) << size.width;
+    EXPECT_EQ(controls->ScrollMax.y, 0) << size.width;
+    EXPECT_LE(controls->ContentSize.x, controls->Size.x) << size.width;
+  }
 }
 
 TEST_F(SpeakerTest, NotesAreOnTheSpeakersScreenAlone) {
