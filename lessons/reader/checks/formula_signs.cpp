@@ -44,6 +44,14 @@ std::set<Relation> relations_in(const MathNode& node) {
   return found;
 }
 
+std::size_t minuses_in(const MathNode& node) {
+  if (node.kind == MathNode::Kind::symbol) return node.character == U'−' ? 1 : 0;
+  if (node.kind == MathNode::Kind::scripts) return minuses_in(node.children.front());
+  std::size_t count = 0;
+  for (const MathNode& child : node.children) count += minuses_in(child);
+  return count;
+}
+
 void add_factor(double number, std::set<double>& factors) {
   constexpr double kRounding = 1e-9;
   if (number == 0 || number == 1) return;

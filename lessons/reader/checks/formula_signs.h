@@ -5,6 +5,7 @@
 #include "lessons/claims/relation.h"
 #include "render/typeset/math/tree.h"
 
+#include <cstddef>
 #include <set>
 #include <string>
 
@@ -20,6 +21,8 @@ std::set<Relation> relations_in(const MathNode& node);
 std::set<double> factors_in(const MathNode& node);
 /// 0 and 1 are not among them, and 0.5 is as good as 1/2.
 void add_factor(double number, std::set<double>& factors);
+/// How many minus signs it has, those of indices and powers not among them.
+std::size_t minuses_in(const MathNode& node);
 /// T_{}: an index or a power that nobody sees.
 bool has_empty_script(const MathNode& node);
 

@@ -40,6 +40,7 @@ class PrintedClaimCheck {
       if (claim.in_other_words) check_indices(claim, (*named)->math);
       if (!claim.in_other_words) compare_letters(claim, (*named)->math);
       if (!claim.in_other_words) compare_factors(claim, (*named)->math);
+      if (!claim.in_other_words) compare_signs(claim, (*named)->math);
     }
   }
 
@@ -154,6 +155,24 @@ class PrintedClaimCheck {
       }
     if (shown != claimed)
       report_.warning(claim.place, "the formula has other numbers than the claim",
+                      "claim what is printed, or end the fence's line with in-other-words");
+  }
+
+  /// "dT = -N·ω dt" above "ddt(T) = dot(N, omega)": letters and numbers are the same.
+  void compare_signs(const Claim& claim, const Math& formula) const {
+    std::size_t claimed = 0;
+    const auto look = [&](const Expression& side) {
+      for (const ExpressionNode& node : side.nodes)
+        if (node.operation == Operation::subtract || node.operation == Operation::negate) ++claimed;
+    };
+    for (const ClaimLine& line : claim.lines)
+      for (const Equality* one : {&line.equality, line.conclusion ? &*line.conclusion : nullptr}) {
+        if (one == nullptr) continue;
+        look(one->left);
+        look(one->right);
+      }
+    if (minuses_in(*formula.root) != claimed)
+      report_.warning(claim.place, "the formula has other minus signs than the claim",
                       "claim what is printed, or end the fence's line with in-other-words");
   }
 

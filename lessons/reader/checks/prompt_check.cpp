@@ -90,6 +90,16 @@ std::vector<TextSpan> what_is_asked(const RichText& prompt) {
   return asked;
 }
 
+/// Whether it has a number that is no index: ω_1 has none.
+bool has_number(std::string_view prompt) {
+  for (std::size_t i = 0; i < prompt.size(); ++i) {
+    if (prompt[i] < '0' || prompt[i] > '9') continue;
+    const std::size_t before = prompt.substr(0, i).find_last_not_of('{');
+    if (before == prompt.npos || prompt[before] != '_') return true;
+  }
+  return false;
+}
+
 class PromptCheck {
  public:
   PromptCheck(const Ask& ask, const Lesson& lesson, const Prover& prover,
@@ -134,11 +144,15 @@ class PromptCheck {
     const auto of_said = dimension_of(said, {}).dimension, of_unit = dimension_of_unit_scaled(answer.unit);
     if (of_said && of_unit && *of_said != *of_unit)
       return refuse("its answer is in " + (answer.unit.empty() ? std::string("no unit") : answer.unit));
-    if (!answer.expression || !speaks_of_motion(*answer.expression)) return;
+    const bool is_computed = answer.expression && speaks_of_motion(*answer.expression);
+    // What is given in the prompt may be another motion's.
+    if (!is_computed && (has_number(ask_.prompt) || !speaks_of_motion(said))) return;
     const auto motions = motions_();
     if (motions.empty()) return;
     MotionNumbers numbers(motions.front().model, motions.front().still_s, effort_);
-    const auto asked = numbers.value_of(said), own = numbers.value_of(*answer.expression);
+    const auto typed = answer.value ? std::optional(*answer.value * answer.unit_si) : std::nullopt;
+    const auto asked = numbers.value_of(said),
+               own = answer.expression ? numbers.value_of(*answer.expression) : typed;
     if (!asked || !own) return;
     NumberAnswer computed = answer;
     computed.value = *own / answer.unit_si;

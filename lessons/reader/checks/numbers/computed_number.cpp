@@ -48,11 +48,12 @@ std::optional<std::string> right_instead(const ComputedNumber& number, double va
   constexpr double kBits = 64;
   const double lost = kBits * std::numeric_limits<double>::epsilon() * (std::abs(value) + std::abs(shown));
   const bool says_nothing = shown == 0 && std::abs(value) > lost + 1e-12 * last_digit;
-  // "1e1" would be right of all between 5 and 15.
+  // "1e1" would be right of all between 5 and 15, and "1" of 0.6.
   constexpr double kOfWhole = 0.05;
-  const bool is_far = power != 0 && shown != 0 && std::abs(value - shown) > kOfWhole * std::abs(shown) + lost;
-  if (!says_nothing && !is_far && std::abs(value - shown) <= 0.5 * last_digit + lost) return std::nullopt;
-  if (says_nothing || is_far) return fmt::format("{:.2g}", value);
+  const bool is_far = shown != 0 && std::abs(value - shown) > kOfWhole * std::abs(shown) + lost;
+  const bool is_rounded = std::abs(value - shown) <= 0.5 * last_digit + lost;
+  if (is_rounded && !says_nothing && !is_far) return std::nullopt;
+  if (says_nothing || (is_far && (is_rounded || power != 0))) return fmt::format("{:.2g}", value);
   std::string right = fmt::format("{:.{}f}", value / std::pow(10.0, power), decimals);
   if (right.find_first_not_of("-0.") == right.npos && right.front() == '-') right.erase(0, 1);
   return power == 0 ? right : fmt::format("{}\\cdot10^{{{}}}", right, power);

@@ -123,5 +123,41 @@ TEST(LettersWithAnIndex, AreWhatTheLetterIsAsTheMotionBegins) {
               IsEmpty());
 }
 
+// 2026-11-28, four holes of the sixth attacker.
+TEST(Questions, OfTheMotionAloneHaveItsNumber) {
+  const auto asked = [](const std::string& prompt, const char* answer) {
+    return complaints_about("Text.\n\n```ask q\ntype = \"number\"\nprompt = '" + prompt +
+                                "'\nanswer = " + answer + "\nunit = \"J\"\nhints = [\"a\"]\n```\n",
+                            "show = [\"omega\"]");
+  };
+  EXPECT_THAT(asked("What is $T$?", "5"), Not(IsEmpty()));
+  EXPECT_THAT(asked("What is $T$?", "9.02"), IsEmpty());
+  EXPECT_THAT(asked("A body has 3 rad/s. What is its $T$?", "5"), IsEmpty()) << "that of another one";
+}
+
+TEST(ClaimsBesideWhatIsNotRead, HaveItsMinusSigns) {
+  const auto beside = [](const std::string& tex, const std::string& line) {
+    return complaints_about("```math a\n" + tex + "\n```\n```claim a motion\n" + line + "\n```\n",
+                            "show = [\"L\"]");
+  };
+  EXPECT_THAT(beside(R"(dT = -\vec N\cdot\vec\omega\,dt)", "ddt(T) = dot(N, omega)"), Not(IsEmpty()));
+  EXPECT_THAT(beside(R"(dT = \vec N\cdot\vec\omega\,dt)", "ddt(T) = dot(N, omega)"), IsEmpty());
+  EXPECT_THAT(beside(R"(\langle\vec\omega, \vec L\rangle^{-1}(-2T) = -1)", "-2*T/dot(omega, L) = -1"),
+              IsEmpty());
+}
+
+TEST(ComputedNumbers, OfOneDigitAreNotFarOff) {
+  for (const char* text : {R"($I_3/I_1 = \value{3}{I3/I1}$)", R"($\omega_2 = \value[unit={rad/s}]{3}{w2}$)"})
+    EXPECT_THAT(complaints_about(text, "show = [\"omega\"]"), IsEmpty()) << text;
+  for (const char* text : {R"($I_3/I_1 = \value{3}{0.9*I3/I1}$)", R"($c = \value{1}{w2/5}$)"})
+    EXPECT_THAT(complaints_about(text, "show = [\"omega\"]"), Not(IsEmpty())) << text;
+}
+
+TEST(Inequalities, ThatNoStateRefutesAreMeasured) {
+  EXPECT_THAT(complaints_about(R"(The brick has $\omega_2 < 1$ rad/s.)", "show = [\"omega\"]"),
+              Not(IsEmpty()));
+  EXPECT_THAT(complaints_about(R"(The brick has $\omega_2 < 100$ rad/s.)", "show = [\"omega\"]"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace polhode
