@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
 namespace polhode {
 namespace {
@@ -26,8 +27,9 @@ std::vector<TextSpan> what_is_to_be_found(const RichText& prompt) {
   std::vector<TextSpan> found = prompt.front().spans;
   if (found.front().kind != TextSpan::Kind::text) return {};
   std::string& begin = found.front().text;
-  constexpr std::array<std::string_view, 8> kVerbs{"Find ", "Compute ",  "Calculate ", "Determine ",
-                                                   "Give ", "Work out ", "State ",     "Evaluate "};
+  constexpr std::array<std::string_view, 14> kVerbs{
+      "Find ",     "Compute ", "Calculate ", "Determine ",  "Give ",  "Work out ", "State ",
+      "Evaluate ", "Express ", "Solve for ", "Write down ", "Write ", "Derive ",   "Name "};
   const auto verb = std::find_if(kVerbs.begin(), kVerbs.end(),
                                  [&](std::string_view word) { return begin.starts_with(word); });
   if (verb == kVerbs.end()) return {};
@@ -36,8 +38,8 @@ std::vector<TextSpan> what_is_to_be_found(const RichText& prompt) {
     if (found[i].kind != TextSpan::Kind::text) continue;
     std::string& text = found[i].text;
     std::size_t end = text.size();
-    for (const std::string_view stop :
-         {".", ",", ":", ";", "!", " in terms of", " using ", " in joules", " in degrees", " in seconds"})
+    for (const std::string_view stop : {".", ",", ":", ";", "!", " in terms of", " by means of", " using ",
+                                        " in joules", " in degrees", " in seconds"})
       end = std::min(end, text.find(stop));
     if (end == text.size()) continue;
     text.erase(end);
@@ -59,7 +61,8 @@ std::vector<TextSpan> what_is_asked(const RichText& prompt) {
         continue;
       }
       for (const std::string_view phrase :
-           {"hat is ", "hich is ", "ow large is ", "ow long is ", "ow big is "}) {
+           {"hat is ", "hich is ", "hich of these is ", "hich of these equals ", "hich equals ",
+            "hat equals ", "ow large is ", "ow long is ", "ow big is "}) {
         const std::size_t at = span.text.rfind(phrase);
         if (at == std::string::npos) continue;
         span.text.erase(0, at + phrase.size());
@@ -181,8 +184,12 @@ class PromptCheck {
   }
 
   void check_order() {
-    const bool rises = ask_.prompt.find("smallest first") != std::string::npos,
-               falls = ask_.prompt.find("largest first") != std::string::npos;
+    const auto says = [&](std::initializer_list<std::string_view> words) {
+      return std::any_of(words.begin(), words.end(),
+                         [&](std::string_view one) { return ask_.prompt.find(one) != std::string::npos; });
+    };
+    const bool rises = says({"smallest first", "ascending", "increasing", "from the smallest"}),
+               falls = says({"largest first", "descending", "decreasing", "from the largest"});
     const auto motions = rises != falls ? motions_() : std::vector<ShownMotion>();
     if (motions.empty()) return;
     MotionNumbers numbers(motions.front().model, motions.front().still_s, effort_);

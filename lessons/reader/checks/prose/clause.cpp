@@ -74,18 +74,39 @@ std::optional<Relation> take_verb(std::vector<TextSpan>& clause) {
 
 std::optional<Relation> take_comparison(std::vector<TextSpan>& clause) {
   if (clause.empty() || clause.back().kind != TextSpan::Kind::text) return std::nullopt;
-  constexpr std::array<std::string_view, 8> kGreater{"is more than",  "is greater than", "is larger than",
-                                                     "is above",      "is at least",     "stays above",
-                                                     "remains above", "exceeds"};
-  constexpr std::array<std::string_view, 6> kLess{"is less than", "is smaller than", "is below",
-                                                  "is at most",   "stays below",     "remains below"};
+  constexpr std::array<std::string_view, 14> kGreater{"is more than",
+                                                      "is greater than",
+                                                      "is larger than",
+                                                      "is above",
+                                                      "is at least",
+                                                      "stays above",
+                                                      "remains above",
+                                                      "is always more than",
+                                                      "is always greater than",
+                                                      "is always larger than",
+                                                      "is always above",
+                                                      "never falls below",
+                                                      "never drops below",
+                                                      "exceeds"};
+  constexpr std::array<std::string_view, 12> kLess{"is less than",
+                                                   "is smaller than",
+                                                   "is below",
+                                                   "is at most",
+                                                   "stays below",
+                                                   "remains below",
+                                                   "is always less than",
+                                                   "is always smaller than",
+                                                   "is always below",
+                                                   "never rises above",
+                                                   "never exceeds",
+                                                   "does not exceed"};
   const std::string all = clause.back().text;
   std::string_view rest = without_blanks(all);
   const auto take = [&](std::string_view word) { return take_last_word(rest, word); };
-  const bool is_greater = std::any_of(kGreater.begin(), kGreater.end(), take);
-  if (!is_greater && std::none_of(kLess.begin(), kLess.end(), take)) return std::nullopt;
+  const bool is_less = std::any_of(kLess.begin(), kLess.end(), take);  // "never exceeds" before "exceeds"
+  if (!is_less && std::none_of(kGreater.begin(), kGreater.end(), take)) return std::nullopt;
   clause.back().text = std::string(rest);
-  return is_greater ? Relation::greater : Relation::less;
+  return is_less ? Relation::less : Relation::greater;
 }
 
 std::optional<bool> take_between(std::vector<TextSpan>& clause) {

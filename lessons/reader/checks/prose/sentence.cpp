@@ -279,7 +279,11 @@ bool Sentences::is_denied(Range clause, std::size_t own) const {
         i > clause.begin && is_one_of(parts_[i], {"no"}) && is_preposition(parts_[i - 1]);
     const bool is_of_change =
         i + 1 < clause.end && is_one_of(parts_[i + 1], {"change", "changes", "vary", "varies"});
-    if (is_of_change) continue;  // "does not change" is what is said
+    const bool is_of_bound = i + 1 < clause.end && denies(parts_[i]) &&
+                             (is_one_of(parts_[i + 1], {"exceed", "exceeds"}) ||
+                              (i + 2 < clause.end && is_one_of(parts_[i + 1], {"falls", "drops", "rises"}) &&
+                               is_one_of(parts_[i + 2], {"below", "above"})));
+    if (is_of_change || is_of_bound) continue;  // "does not change", "never exceeds" is what is said
     const bool is_only = i + 1 < clause.end && is_one_of(parts_[i], {"not"}) &&
                          is_one_of(parts_[i + 1], {"only", "just", "merely"});
     const bool is_without = i > clause.begin && is_one_of(parts_[i - 1], {"without", "beyond"});
@@ -357,8 +361,8 @@ Standing Sentences::standing_of(std::size_t span) const {
         i + 1 < clause.end && (is_one_of(part, {"all", "every"})) &&
         (is_one_of(parts_[i + 1], {"times", "time", "moment", "instant"}) ||
          (i + 2 < clause.end && is_one_of(parts_[i + 1], {"the"}) && is_one_of(parts_[i + 2], {"time"})));
-    if (is_in_clause &&
-        (is_all_the_time || is_one_of(part, {"always", "throughout", "stays", "remains", "constantly"})))
+    if (is_in_clause && (is_all_the_time || is_one_of(part, {"always", "never", "throughout", "stays",
+                                                             "remains", "constantly"})))
       standing.is_always = true;
     const bool is_after_seconds =
         is_one_of(part, {"at", "after", "for"}) && i + 2 < sentence.end && parts_[i + 1].kind == Kind::word &&

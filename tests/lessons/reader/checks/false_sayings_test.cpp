@@ -135,6 +135,45 @@ TEST(Questions, OfTheMotionAloneHaveItsNumber) {
   EXPECT_THAT(asked("A body has 3 rad/s. What is its $T$?", "5"), IsEmpty()) << "that of another one";
 }
 
+TEST(Bounds, ThatNeverFailHoldAllAlong) {
+  const auto said = [](const std::string& text) {
+    return complaints_about(text, "show = [\"omega\"]\nduration = 20");  // ω₁ comes to 3.5 rad/s
+  };
+  for (const char* text :
+       {R"($\omega_1$ never exceeds 0.2 rad/s.)", R"($\omega_1$ is always below 0.2 rad/s.)",
+        R"($\omega_2$ never falls below 2 rad/s.)", R"($\omega_1$ does not exceed 0.05 rad/s.)"})
+    EXPECT_THAT(said(text), Not(IsEmpty())) << text;
+  for (const char* text :
+       {R"($\omega_1$ never exceeds 4 rad/s.)", R"($\omega_1$ is always below 4 rad/s.)",
+        R"($\omega_2$ never falls below $-4$ rad/s.)", R"($\omega_1$ does not exceed 0.2 rad/s.)"})
+    EXPECT_THAT(said(text), IsEmpty()) << text;
+}
+
+TEST(Questions, ThatAskInOtherWordsHaveTheirAnswer) {
+  const auto asked = [](const std::string& type, const std::string& prompt, const std::string& rest) {
+    return complaints_about("Text.\n\n```ask q\ntype = \"" + type + "\"\nprompt = '" + prompt +
+                                "'\nbecause = \"So.\"\n" + rest + "```\n",
+                            "show = [\"omega\"]");
+  };
+  const std::string right = "answer = \"(I2-I3)/I1*w2*w3\"\nmodulo = \"free\"\nhints = [\"Look.\"]\n",
+                    wrong = "answer = \"(I3-I2)/I1*w2*w3\"\nmodulo = \"free\"\nhints = [\"Look.\"]\n";
+  for (const char* prompt :
+       {R"(Solve for $\dot\omega_1$.)", R"(Write down $\dot\omega_1$.)",
+        R"(Express $\dot\omega_1$ in terms of the moments and $\omega_2$, $\omega_3$.)"}) {
+    EXPECT_THAT(asked("expression", prompt, wrong), Not(IsEmpty())) << prompt;
+    EXPECT_THAT(asked("expression", prompt, right), IsEmpty()) << prompt;
+  }
+  const std::string choices =
+                        "\n- [x] $\\vec L\\cdot\\vec L/I_1$\n- [ ] $\\vec\\omega\\cdot\\vec L$\n  No.\n",
+                    others = "\n- [ ] $\\vec L\\cdot\\vec L/I_1$\n  No.\n- [x] $\\vec\\omega\\cdot\\vec L$\n";
+  EXPECT_THAT(asked("choice", "Which of these equals $2T$?", "hints = [\"Look.\"]\n" + choices),
+              Not(IsEmpty()));
+  EXPECT_THAT(asked("choice", "Which of these equals $2T$?", "hints = [\"Look.\"]\n" + others), IsEmpty());
+  const std::string falling = "hints = [\"Look.\"]\n\n1. $I_3$\n2. $I_2$\n3. $I_1$\n";
+  EXPECT_THAT(asked("order", "Put them in ascending order.", falling), Not(IsEmpty()));
+  EXPECT_THAT(asked("order", "Put them in descending order.", falling), IsEmpty());
+}
+
 TEST(ClaimsBesideWhatIsNotRead, HaveItsMinusSigns) {
   const auto beside = [](const std::string& tex, const std::string& line) {
     return complaints_about("```math a\n" + tex + "\n```\n```claim a motion\n" + line + "\n```\n",
