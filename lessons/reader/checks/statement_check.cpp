@@ -538,6 +538,34 @@ std::string StatementCheck::why_not(const StatedLink& link, const ShownMotion& m
   return "";
 }
 
+namespace {
+
+/// Whether both sides of each are 0 at a time, beside what they are later. Of numbers that are typed, and of
+/// what is said to be 0, that tells enough.
+bool are_zero(const std::vector<StatedLink>& links, const SceneModel& model, double t_s, double later_s) {
+  constexpr double kNothing = 1e-6;
+  const auto now = live_state(model, t_s), later = live_state(model, later_s);
+  if (!now || !later) return false;
+  const auto size_of = [](const Expression& side, const LiveState& live) {
+    double size = 0;
+    if (const auto value = live_quantity(side, live, View::space))
+      for (const double x : value->components) size = std::max(size, std::abs(x));
+    return size;
+  };
+  return std::all_of(links.begin(), links.end(), [&](const StatedLink& link) {
+    if (link.relation != Relation::equal || link.is_denied || link.is_in_words || link.is_of_a_time() ||
+        link.left.typed || link.right.typed || link.left.is_time() || link.right.is_time() ||
+        link.left.is->type() == ExpressionType::zero || link.right.is->type() == ExpressionType::zero)
+      return false;
+    const auto both = [&](const LiveState& live) {
+      return std::max(size_of(*link.left.is, live), size_of(*link.right.is, live));
+    };
+    return both(*now) <= kNothing * both(*later);
+  });
+}
+
+}  // namespace
+
 std::string StatementCheck::why_not(const std::vector<StatedLink>& links, const Context& context,
                                     const std::vector<ShownMotion>& motions) const {
   const Standing& standing = context.standing;
@@ -562,11 +590,28 @@ std::string StatementCheck::why_not(const std::vector<StatedLink>& links, const 
           why = link.is_of_a_time() || link.is_in_words ? why_not(link, motion, t_s) : why_not(link, *live);
       return why;
     };
-    if (context.when == SaidOf::start_or_all_times && !is_constant && why_at(0) == "") return "";
+    // 0 = 0 tells nothing where the sides are apart at other times; but what is said of a moment is so then.
+    const auto why_later = [&](double t_s) -> std::string {
+      if (standing.at_s || standing.is_of_moment) return "";
+      for (const double part : {0.37, 0.81}) {
+        const double later_s = part * motion.model.span_s;
+        if (const auto why = why_at(later_s);
+            why && !why->empty() && are_zero(links, motion.model, t_s, later_s))
+          return "at t = " + digits(later_s, 3) + " s " + *why;
+      }
+      return "";
+    };
+    if (context.when == SaidOf::start_or_all_times && !is_constant && why_at(0) == "" && why_later(0).empty())
+      return "";
     for (const double t_s : times_s) {
       const auto why = why_at(t_s);
       if (!why) continue;
-      if (why->empty() && !is_of_all_times) return "";
+      if (why->empty() && !is_of_all_times) {
+        const std::string later = why_later(t_s);
+        if (later.empty()) return "";
+        if (of_motion.empty()) of_motion = later;
+        continue;
+      }
       if (why->empty()) continue;
       is_so = false;
       if (of_motion.empty()) of_motion = "at t = " + digits(t_s, 3) + " s " + *why;

@@ -174,6 +174,23 @@ TEST(Questions, ThatAskInOtherWordsHaveTheirAnswer) {
   EXPECT_THAT(asked("order", "Put them in descending order.", falling), IsEmpty());
 }
 
+// The block spins about axis 2 alone at first: of most rates 0 = 0 is all that can be told then.
+TEST(Equations, AreNotToldByWhatIsNothing) {
+  const auto said = [](const std::string& text) {
+    return complaints_of(text +
+                             "\n\n```scene\nbody = \"brick\"\nomega = [0, 3, 0]\ntorque = \"body:0.3,0,0\"\n"
+                             "duration = 10\nshow = [\"omega\"]\n```\n",
+                         kTables);
+  };
+  for (const char* text :
+       {R"(Here $\omega_1 = -\frac{L_1}{I_1}$.)", R"(Here $\dot\omega_3 = \frac{L_1L_2}{I_3}$.)"})
+    EXPECT_THAT(said(text), Not(IsEmpty())) << text;
+  for (const char* text :
+       {R"(Here $\omega_1 = \frac{L_1}{I_1}$.)", R"(At the start $\omega_1 = -\frac{L_1}{I_1}$.)",
+        R"(At the start $\omega_1 = 0$.)"})
+    EXPECT_THAT(said(text), IsEmpty()) << text;
+}
+
 TEST(ClaimsBesideWhatIsNotRead, HaveItsMinusSigns) {
   const auto beside = [](const std::string& tex, const std::string& line) {
     return complaints_about("```math a\n" + tex + "\n```\n```claim a motion\n" + line + "\n```\n",
