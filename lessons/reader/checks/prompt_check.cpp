@@ -7,6 +7,7 @@
 #include "lessons/reader/checks/lint_budget.h"
 #include "lessons/reader/checks/numbers/number_check.h"
 #include "lessons/reader/checks/prose/quantity_words.h"
+#include "lessons/reader/checks/prose/sentence.h"
 #include "lessons/reader/questions/state_task.h"
 #include "lessons/reader/text_units.h"
 
@@ -93,6 +94,22 @@ std::vector<TextSpan> what_is_asked(const RichText& prompt) {
   return asked;
 }
 
+/// Takes "at $t = 3$ s" from the end of what is asked for; nothing if no time is said there.
+std::optional<double> take_time_s(std::vector<TextSpan>& asked, const EquationNotation& notation) {
+  constexpr std::string_view kAt = " at ";
+  for (std::size_t i = 1; i < asked.size(); ++i) {
+    if (asked[i].kind != TextSpan::Kind::math || !asked[i].text.starts_with("t") ||
+        asked[i - 1].kind != TextSpan::Kind::text || !asked[i - 1].text.ends_with(kAt))
+      continue;
+    const auto at_s = Sentences(asked, notation).standing_of(i - 1).at_s;
+    if (!at_s) continue;
+    asked[i - 1].text.erase(asked[i - 1].text.size() - kAt.size());
+    asked.resize(i);
+    return at_s;
+  }
+  return std::nullopt;
+}
+
 /// Whether it has a number that is no index: ω_1 has none.
 bool has_number(std::string_view prompt) {
   for (std::size_t i = 0; i < prompt.size(); ++i) {
@@ -113,8 +130,9 @@ class PromptCheck {
     if (ask_.task) check_goals(*ask_.task);
     if (ask_.type == Question::Type::order) check_order();
     if (ask_.number && ask_.number->expression && speaks_of_motion(*ask_.number->expression)) check_given();
-    const std::vector<TextSpan> asked = what_is_asked(ask_.prompt_text);
+    std::vector<TextSpan> asked = what_is_asked(ask_.prompt_text);
     if (asked.empty()) return;
+    asked_at_s_ = take_time_s(asked, lesson_.notation);
     const auto said = quantity_said(asked, lesson_, VectorsSaid::as_vectors);
     if (!said) return;
     for (const TextSpan& span : asked) words_ += span.text;
@@ -152,9 +170,10 @@ class PromptCheck {
     if (!is_computed && (has_number(ask_.prompt) || !speaks_of_motion(said))) return;
     const auto motions = motions_();
     if (motions.empty()) return;
-    MotionNumbers numbers(motions.front().model, motions.front().still_s, effort_);
+    MotionNumbers numbers(motions.front().model, motions.front().still_s, effort_),
+        then(motions.front().model, asked_at_s_.value_or(motions.front().still_s), effort_);
     const auto typed = answer.value ? std::optional(*answer.value * answer.unit_si) : std::nullopt;
-    const auto asked = numbers.value_of(said),
+    const auto asked = then.value_of(said),
                own = answer.expression ? numbers.value_of(*answer.expression) : typed;
     if (!asked || !own) return;
     NumberAnswer computed = answer;
@@ -270,6 +289,7 @@ class PromptCheck {
   Report& report_;
   const Effort& effort_;
   std::string words_;
+  std::optional<double> asked_at_s_{};  ///< the t that the prompt names
 };
 
 }  // namespace

@@ -115,7 +115,8 @@ void StatementCheck::begin_stage(const Stage& stage) {
   headline_ = in_small_letters(stage.title);
   for (const Step& step : stage.steps)
     for (const Claim* claim : blocks_of<Claim>(step))
-      for (const ClaimLine& line : claim->lines) claimed_.push_back(&line);
+      for (const ClaimLine& line : claim->lines)
+        if (claim->kind != ClaimKind::is_false) claimed_.push_back(&line);
 }
 
 void StatementCheck::check_text(const RichText& text, const Motions& motions, SaidOf when) {

@@ -133,6 +133,9 @@ TEST(Questions, OfTheMotionAloneHaveItsNumber) {
   EXPECT_THAT(asked("What is $T$?", "5"), Not(IsEmpty()));
   EXPECT_THAT(asked("What is $T$?", "9.02"), IsEmpty());
   EXPECT_THAT(asked("A body has 3 rad/s. What is its $T$?", "5"), IsEmpty()) << "that of another one";
+  EXPECT_THAT(asked("What is $T$ at $t = 3$ s?", "\"T\""), IsEmpty());
+  EXPECT_THAT(asked("What is $I_1\\omega_1^2$ at $t = 3$ s?", "\"I1*w1^2\""), Not(IsEmpty()))
+      << "of the still, t = 0";
 }
 
 TEST(Bounds, ThatNeverFailHoldAllAlong) {
@@ -172,6 +175,14 @@ TEST(Questions, ThatAskInOtherWordsHaveTheirAnswer) {
   const std::string falling = "hints = [\"Look.\"]\n\n1. $I_3$\n2. $I_2$\n3. $I_1$\n";
   EXPECT_THAT(asked("order", "Put them in ascending order.", falling), Not(IsEmpty()));
   EXPECT_THAT(asked("order", "Put them in descending order.", falling), IsEmpty());
+}
+
+TEST(Equations, ThatAClaimCallsFalseAreNotSo) {
+  const std::string refuted = "```math a false\n\\dot\\omega_3 = 0\n```\n";
+  EXPECT_THAT(complaints_about(refuted + R"(Hence $\dot\omega_3 = 0$ for this brick.)", "show = [\"omega\"]"),
+              Not(IsEmpty()));
+  EXPECT_THAT(complaints_about(refuted + R"(It is not so that $\dot\omega_3 = 0$.)", "show = [\"omega\"]"),
+              IsEmpty());
 }
 
 // The block spins about axis 2 alone at first: of most rates 0 = 0 is all that can be told then.
