@@ -22,23 +22,25 @@ std::string without_blanks(std::string text) {
 }
 
 std::string with_names(std::string text) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kNames = {
-      {{"ω", " omega "},
-       {"Ω", " omega "},
-       {"θ", " theta "},
-       {"φ", " phi "},
-       {"ϕ", " phi "},
-       {"ψ", " psi "},
-       {"α", " alpha "},
-       {"λ", " lambda "},
-       {"π", " pi "},
-       {"ρ", " rho "},
-       {"σ", " sigma "},
-       {"τ", " tau "},
-       {"×", " cross "},
-       {"·", " dot "},
-       {"=", " equals "},
-       {"−", " minus "}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kNames = {{{"ω", " omega "},
+                                                                                            {"Ω", " omega "},
+                                                                                            {"θ", " theta "},
+                                                                                            {"φ", " phi "},
+                                                                                            {"ϕ", " phi "},
+                                                                                            {"ψ", " psi "},
+                                                                                            {"α", " alpha "},
+                                                                                            {"λ", " lambda "},
+                                                                                            {"π", " pi "},
+                                                                                            {"ρ", " rho "},
+                                                                                            {"σ", " sigma "},
+                                                                                            {"τ", " tau "},
+                                                                                            {"×", " cross "},
+                                                                                            {"·", " dot "},
+                                                                                            {"=", " equals "},
+                                                                                            {"−", " minus "},
+                                                                                            {"₁", " 1 "},
+                                                                                            {"₂", " 2 "},
+                                                                                            {"₃", " 3 "}}};
   for (const auto& [sign, name] : kNames)
     for (std::size_t at = 0; (at = text.find(sign, at)) != text.npos; at += name.size())
       text.replace(at, sign.size(), name);
@@ -97,6 +99,7 @@ std::vector<LessonSearch::Found> LessonSearch::find(std::string_view typed) cons
   const std::string text = lower(std::string(typed));
   const std::vector<std::string> words = words_in(with_names(text));
   const std::string tex = without_blanks(text);
+  const bool is_tex = tex.find_first_of("\\_^{=") != tex.npos;  // "time" stands in \times
   if (words.empty()) return found;
   std::string all;
   for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
@@ -107,7 +110,7 @@ std::vector<LessonSearch::Found> LessonSearch::find(std::string_view typed) cons
       if (first == std::string::npos) first = at;
       return at != std::string::npos;
     });
-    if (!has_words && step.tex.find(tex) == step.tex.npos) continue;
+    if (!has_words && (!is_tex || step.tex.find(tex) == step.tex.npos)) continue;
     if (has_words)
       if (const std::size_t phrase = begin_of(step.lowered, all); phrase != std::string::npos) first = phrase;
     found.push_back({step.place, words_around(step.words, has_words ? first : 0)});

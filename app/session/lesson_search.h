@@ -21,7 +21,9 @@ class LessonSearch {
     std::string around;  ///< what stands there, some words of it
   };
   /// The steps that have all the words that are typed, or begin with them, in their order. Capitals do not
-  /// matter, and a Greek letter is its name: "ω" is found where "omega" is.
+  /// matter, and a Greek letter is its name: "ω" is found where "omega" is. What has a sign of TeX, \ _ ^ {
+  /// or
+  /// =, is looked for in displayed formulas as well.
   std::vector<Found> find(std::string_view typed) const;
 
  private:

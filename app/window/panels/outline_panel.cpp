@@ -171,6 +171,7 @@ void OutlinePanel::find(PanelContext& context) {
 void OutlinePanel::draw(PanelContext& context) {
   LessonSession& session = context.session;
   ImGui::SetNextItemWidth(-1);
+  if (context.take_focus && !context.finds) looked_for_.clear();  // it is opened for the stages
   if (std::exchange(context.finds, false)) ImGui::SetKeyboardFocusHere();
   const std::string before = looked_for_;
   const bool entered = ImGui::InputTextWithHint("##find", "find in this lesson", &looked_for_,

@@ -208,6 +208,7 @@ bool Screen::holds_back(const LessonSession& session, bool is_repeated) {
 }
 
 bool Screen::press_from_afar(LessonSession& session, std::string_view key, bool is_repeated) {
+  if (key == "Ctrl+F") return false;  // words are typed in this window, which the audience sees
   ImGui::SetCurrentContext(imgui_);
   ImGui::SetWindowFocus(nullptr);
   ImGui::GetIO().WantTextInput = false;
@@ -333,6 +334,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     shown_place_ = session.place();
     symbols_.forget(session);
     held_back_.reset();
+    has_menu_ = false;  // what it offers is of the step before
   }
   stage_title_ = speech_->words_of_title(session.stage());
   if (!stage_title_.empty() && stage_title_.back() == '.') stage_title_.pop_back();

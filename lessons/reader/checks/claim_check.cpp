@@ -344,29 +344,15 @@ class ClaimCheck {
       if (lesson_.numbers[static_cast<std::size_t>(id)].row)
         spend_on(lesson_.numbers[static_cast<std::size_t>(id)]);
     const std::map<int, double> values = values_in_tables(lesson_.numbers, ids, effort_);
-    std::map<const TableRow*, bool> is_followed;
     for (const int id : ids) {
       const ComputedNumber& number = lesson_.numbers[static_cast<std::size_t>(id)];
       if (!number.row || values.contains(id)) continue;
-      const auto [row, is_new] = is_followed.emplace(number.row.get(), true);
-      if (is_new) row->second = check_is_followed(*number.row);
-      if (!row->second) continue;
       report_.warning(number.row->place,
                       in_quotes(number.written.expression) +
                           " is not defined on the motion of this row at t = " +
                           digits(number.row->scene.at_s, 3) + " s, and the table has a dash there",
                       "leave the row out, or give the column another \"of\"");
     }
-  }
-
-  /// False, and an error, where the motion of a row does not reach the time of its numbers.
-  bool check_is_followed(const TableRow& row) {
-    const SceneModel model = make_model(row.scene, ModelFor::numbers, effort_);
-    if (is_computable(model, row.scene.at_s)) return true;
-    report_.error(row.place,
-                  "the motion of this row cannot be followed to t = " + digits(row.scene.at_s, 7) + " s",
-                  "choose an earlier time, or a larger tolerance");
-    return false;
   }
 
   void spend_on(const ComputedNumber& number) const {

@@ -40,8 +40,7 @@ std::vector<Diagnostic> model_diagnostics(const Lesson& lesson, std::string_view
   return found;
 }
 
-/// The model's objections to each row of a table, at its place. Whether its motion can be followed to the
-/// time of its numbers is seen where these are computed (claim_check.cpp): that is dear, and was done twice.
+/// The model's objections to each row of a table, at its place.
 std::vector<Diagnostic> row_diagnostics(const Lesson& lesson, std::string_view file_name,
                                         const Effort& effort) {
   std::vector<Diagnostic> found;
@@ -50,7 +49,12 @@ std::vector<Diagnostic> row_diagnostics(const Lesson& lesson, std::string_view f
     if (!number.row || number.row.get() == before) continue;
     before = number.row.get();
     try {
-      (void)make_model(before->scene, ModelFor::numbers, effort);
+      const SceneModel model = make_model(before->scene, ModelFor::numbers, effort);
+      if (!is_computable(model, before->scene.at_s))
+        found.push_back(
+            {Severity::error, std::string(file_name), before->place,
+             fmt::format("the motion of this row cannot be followed to t = {:.7g} s", before->scene.at_s),
+             "choose an earlier time, or a larger tolerance"});
     } catch (const BudgetSpent&) {
       found.push_back(too_long_to_check(file_name, before->place));
       return found;

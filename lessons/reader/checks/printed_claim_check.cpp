@@ -168,7 +168,7 @@ class PrintedClaimCheck {
     for (const ClaimLine& line : claim.lines)
       for (const Equality* one : {&line.equality, line.conclusion ? &*line.conclusion : nullptr}) {
         if (one == nullptr) continue;
-        look(one->left);
+        if (!line.goes_on) look(one->left);  // else it is printed once, in the link before
         look(one->right);
       }
     if (minuses_in(*formula.root) != claimed)

@@ -94,6 +94,8 @@ std::vector<TextSpan> what_is_asked(const RichText& prompt) {
   return asked;
 }
 
+constexpr std::array<std::string_view, 3> kQuestions{"What is ", "Which is ", "How large is "};
+
 /// Takes "at $t = 3$ s" from the end of what is asked for; nothing if no time is said there.
 std::optional<double> take_time_s(std::vector<TextSpan>& asked, const EquationNotation& notation) {
   constexpr std::string_view kAt = " at ";
@@ -110,14 +112,11 @@ std::optional<double> take_time_s(std::vector<TextSpan>& asked, const EquationNo
   return std::nullopt;
 }
 
-/// Whether it has a number that is no index: ω_1 has none.
-bool has_number(std::string_view prompt) {
-  for (std::size_t i = 0; i < prompt.size(); ++i) {
-    if (prompt[i] < '0' || prompt[i] > '9') continue;
-    const std::size_t before = prompt.substr(0, i).find_last_not_of('{');
-    if (before == prompt.npos || prompt[before] != '_') return true;
-  }
-  return false;
+/// Whether a prompt is one question and nothing besides: "What is $T$?"
+bool asks_at_once(std::string_view prompt) {
+  const bool begins = std::any_of(kQuestions.begin(), kQuestions.end(),
+                                  [&](std::string_view word) { return prompt.starts_with(word); });
+  return begins && prompt.find_first_of(".,:;!") == prompt.npos && prompt.find('?') + 1 == prompt.size();
 }
 
 class PromptCheck {
@@ -166,10 +165,11 @@ class PromptCheck {
     if (of_said && of_unit && *of_said != *of_unit)
       return refuse("its answer is in " + (answer.unit.empty() ? std::string("no unit") : answer.unit));
     const bool is_computed = answer.expression && speaks_of_motion(*answer.expression);
-    // What is given in the prompt may be another motion's.
-    if (!is_computed && (has_number(ask_.prompt) || !speaks_of_motion(said))) return;
+    // What is given in the prompt may be another motion's: that is so if it asks for anything but the
+    // quantity.
+    if (!is_computed && (!asks_at_once(ask_.prompt) || !speaks_of_motion(said))) return;
     const auto motions = motions_();
-    if (motions.empty()) return;
+    if (motions.empty() || (!is_computed && motions.size() > 1)) return;
     MotionNumbers numbers(motions.front().model, motions.front().still_s, effort_),
         then(motions.front().model, asked_at_s_.value_or(motions.front().still_s), effort_);
     const auto typed = answer.value ? std::optional(*answer.value * answer.unit_si) : std::nullopt;

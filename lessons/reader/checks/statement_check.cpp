@@ -166,9 +166,8 @@ StatementCheck::Motions motions_meant(const Sentences& sentences, std::size_t sp
 }  // namespace
 
 SaidOf said_of(const Standing& standing, SaidOf when) {
-  if (standing.at_s) return SaidOf::some_time;
-  if (standing.is_always) return SaidOf::all_times;
-  return standing.is_of_moment ? SaidOf::some_time : when;
+  if (standing.at_s || standing.is_of_moment) return SaidOf::some_time;
+  return standing.is_always ? SaidOf::all_times : when;
 }
 
 void StatementCheck::check_whose(const RichText& text, const std::vector<ShownMotion>& motions,

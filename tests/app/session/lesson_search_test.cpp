@@ -35,6 +35,9 @@ TEST_F(LessonSearchTest, FindsFormulasAsTheyAreSaidShownOrTyped) {
   EXPECT_FALSE(places("omega cross").empty());
   EXPECT_EQ(places("ω ×"), places("omega cross"));
   EXPECT_FALSE(places("\\vec\\omega \\times").empty());
+  EXPECT_FALSE(places("\\mathbf").empty());
+  EXPECT_TRUE(places("mathbf").empty()) << "a command is no word";
+  EXPECT_FALSE(places("ω₂").empty());
 }
 
 TEST_F(LessonSearchTest, FindsNothingInTheMiddleOfAWord) {

@@ -53,7 +53,10 @@ std::optional<std::string> right_instead(const ComputedNumber& number, double va
   const bool is_far = shown != 0 && std::abs(value - shown) > kOfWhole * std::abs(shown) + lost;
   const bool is_rounded = std::abs(value - shown) <= 0.5 * last_digit + lost;
   if (is_rounded && !says_nothing && !is_far) return std::nullopt;
-  if (says_nothing || (is_far && (is_rounded || power != 0))) return fmt::format("{:.2g}", value);
+  const double nearest = last_digit * std::round(value / last_digit);
+  const bool has_few_digits = nearest != 0 && std::abs(value - nearest) > kOfWhole * std::abs(nearest);
+  if (says_nothing || (is_far && (is_rounded || power != 0 || has_few_digits)))
+    return fmt::format("{:.2g}", value);
   std::string right = fmt::format("{:.{}f}", value / std::pow(10.0, power), decimals);
   if (right.find_first_not_of("-0.") == right.npos && right.front() == '-') right.erase(0, 1);
   return power == 0 ? right : fmt::format("{}\\cdot10^{{{}}}", right, power);

@@ -11,6 +11,7 @@
 #include <map>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 namespace polhode {
 namespace {
@@ -193,9 +194,12 @@ std::optional<bool> is_between(const Expression& quantity, const TypedNumber& lo
   const ScaledUnit unit = scaled_unit(high.unit).value_or(ScaledUnit{});
   const auto dimension = has_motion_words(quantity) ? std::nullopt : dimension_of(quantity, {}).dimension;
   if (dimension && !high.unit.empty() && *dimension != unit.dimension) return false;
-  const double low_unit = scaled_unit(low.unit).value_or(unit).size;
-  const double least = low_unit * (low.value - rounded_off(low, Relation::approximate)),
-               most = unit.size * (high.value + rounded_off(high, Relation::approximate));
+  const double low_unit = low.unit.empty() ? unit.size : scaled_unit(low.unit).value_or(unit).size;
+  double least = low_unit * low.value, most = unit.size * high.value;
+  double off_least = low_unit * rounded_off(low, Relation::approximate),
+         off_most = unit.size * rounded_off(high, Relation::approximate);
+  if (least > most) std::swap(least, most), std::swap(off_least, off_most);  // "between 3 and -3"
+  least -= off_least, most += off_most;
   return is_so_on(motions, quantity, effort, when,
                   [&](double value) { return value >= least && value <= most; });
 }
@@ -208,8 +212,11 @@ std::optional<bool> is_number_of(const TypedNumber& number, const Expression& qu
   if (dimension && !number.unit.empty() && *dimension != unit.dimension) return false;
   return is_so_on(motions, quantity, effort, when, [&](double value) {
     const double typed = number.value * unit.size;
+    constexpr double kRounding = 1e-9;  // of "at most 3 rad/s" where it is 3
     if (relation == Relation::greater) return value > typed;
     if (relation == Relation::less) return value < typed;
+    if (relation == Relation::greater_or_equal) return value >= typed - kRounding * std::abs(typed);
+    if (relation == Relation::less_or_equal) return value <= typed + kRounding * std::abs(typed);
     return std::abs(std::abs(value) / unit.size - std::abs(number.value)) <= rounded_off(number, relation) &&
            (number.value >= 0 || value < 0);
   });

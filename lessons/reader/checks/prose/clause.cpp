@@ -100,13 +100,19 @@ std::optional<Relation> take_comparison(std::vector<TextSpan>& clause) {
                                                    "never rises above",
                                                    "never exceeds",
                                                    "does not exceed"};
+  constexpr std::array<std::string_view, 4> kOrEqual{"at least", "at most", "never", "does not exceed"};
   const std::string all = clause.back().text;
   std::string_view rest = without_blanks(all);
   const auto take = [&](std::string_view word) { return take_last_word(rest, word); };
   const bool is_less = std::any_of(kLess.begin(), kLess.end(), take);  // "never exceeds" before "exceeds"
   if (!is_less && std::none_of(kGreater.begin(), kGreater.end(), take)) return std::nullopt;
   clause.back().text = std::string(rest);
-  return is_less ? Relation::less : Relation::greater;
+  const std::string_view said = std::string_view(all).substr(rest.size());
+  const bool may_be_equal = std::any_of(kOrEqual.begin(), kOrEqual.end(), [&](std::string_view words) {
+    return said.find(words) != said.npos;
+  });
+  if (is_less) return may_be_equal ? Relation::less_or_equal : Relation::less;
+  return may_be_equal ? Relation::greater_or_equal : Relation::greater;
 }
 
 std::optional<bool> take_between(std::vector<TextSpan>& clause) {

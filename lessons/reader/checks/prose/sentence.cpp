@@ -400,7 +400,10 @@ std::optional<std::size_t> Sentences::thing_named(std::size_t span,
         if (words.size() > size && stands_at(words, i)) size = words.size(), thing = k;
     const bool is_of_another =
         is_one_of(parts_[i], {"first", "second", "third", "other", "former", "latter", "both", "each"});
-    if (size == 0 && is_of_another) return std::nullopt;
+    // "Less than that of the slab", "unlike the slab": of which it is not said.
+    const bool is_beside =
+        is_one_of(parts_[i], {"than", "unlike", "beside", "besides", "like", "instead", "before"});
+    if (size == 0 && (is_of_another || is_beside)) return std::nullopt;
     if (size > 0 && named.value_or(thing) != thing) return std::nullopt;
     if (size > 0) named = thing;
     i += std::max<std::size_t>(size, 1);

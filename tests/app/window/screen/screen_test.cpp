@@ -161,6 +161,12 @@ TEST_F(ScreenTest, TheOtherButtonOffersWhatCanBeDone) {
   frame(3);
   EXPECT_FALSE(is_open());
   EXPECT_FALSE(session.is_playing());
+  // What it offers is of this step, and the next may have no figure.
+  press_other(0.5 * (screen->page().page().figure.x0 + 1280), 300);
+  EXPECT_TRUE(is_open());
+  session.go_to({12, 0});
+  frame(3);
+  EXPECT_FALSE(is_open());
 }
 
 TEST_F(ScreenTest, ASymbolUnderThePointerLightsUp) {

@@ -202,6 +202,19 @@ TEST(Equations, AreNotToldByWhatIsNothing) {
     EXPECT_THAT(said(text), IsEmpty()) << text;
 }
 
+// A reviewer's honest lines.
+TEST(HonestLines, AreNotRefused) {
+  const std::string keys = "show = [\"omega\"]\nduration = 20";
+  for (const char* text :
+       {R"(At the start $\omega_2 = 3$ rad/s and the energy stays the same.)",
+        "The energy lies between 9000 and 10000 mJ.", R"($\omega_2$ swings between $3.1$ and $-3.1$ rad/s.)",
+        R"($\omega_2$ is at most 3 rad/s.)"})
+    EXPECT_THAT(complaints_about(text, keys), IsEmpty()) << text;
+  for (const char* text : {R"(The energy $\live[unit={J}]{T}$ is less than that of the slab.)",
+                           R"(Unlike the slab it has the energy $\live[unit={J}]{T}$.)"})
+    EXPECT_THAT(of_two(text), IsEmpty()) << text;
+}
+
 TEST(ClaimsBesideWhatIsNotRead, HaveItsMinusSigns) {
   const auto beside = [](const std::string& tex, const std::string& line) {
     return complaints_about("```math a\n" + tex + "\n```\n```claim a motion\n" + line + "\n```\n",

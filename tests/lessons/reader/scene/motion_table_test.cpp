@@ -2,6 +2,7 @@
 #include "lessons/reader/scene/motion_table.h"
 
 #include "lessons/reader/checks/claim_check.h"
+#include "lessons/reader/checks/lesson_check.h"
 #include "lessons/reader/reader.h"
 #include "tests/lessons/support.h"
 #include "tests/support/paths.h"
@@ -147,8 +148,11 @@ TEST(MotionTable, ComparesMethods) {
 
 // Explicit Euler in steps of 10 s makes ω⊥ fourteen times as long in each.
 TEST(MotionTable, SaysOfARowThatItsMotionCannotBeFollowed) {
-  EXPECT_THAT(faults(lesson("at = 4000\ncolumns = [{ of = \"w1\" }, { of = \"T\" }]\nrows = [\n"
-                            "{ motion = { method = \"explicit-euler\", step = 10 } }]")),
+  const auto checked = [](const std::string& text) {
+    return testing::lines_of(check_lesson(text, "a.md").diagnostics);
+  };
+  EXPECT_THAT(checked(lesson("at = 4000\ncolumns = [{ of = \"w1\" }, { of = \"T\" }]\nrows = [\n"
+                             "{ motion = { method = \"explicit-euler\", step = 10 } }]")),
               ElementsAre(HasSubstr("error: the motion of this row cannot be followed to t = 4000 s")));
 }
 
