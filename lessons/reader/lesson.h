@@ -226,6 +226,7 @@ std::vector<int> numbers_in(const Step& step);
 /// A step of a lesson, by its index among those of its stage, and that by its index; both count from 0.
 struct StepPlace {
   std::size_t stage = 0, step = 0;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 finds a 0 in what the compiler makes of it
   auto operator<=>(const StepPlace&) const = default;
 };
 /// Where a link of the lesson's texts leads within the lesson: "#stage", or "#stage/equation" to the step

@@ -18,7 +18,7 @@ bool holds(const DesktopBox& outer, const DesktopBox& inner) {
 }  // namespace
 
 TwoPlaces two_places(const DesktopBox& screen, const DesktopBox& first, Size least) {
-  const auto [width, height] = first.size;
+  const int width = first.size.width, height = first.size.height;
   for (const DesktopBox& beside :
        {DesktopBox{right_of(first), first.y, first.size}, DesktopBox{first.x - width, first.y, first.size},
         DesktopBox{first.x, bottom_of(first), first.size}, DesktopBox{first.x, first.y - height, first.size}})
