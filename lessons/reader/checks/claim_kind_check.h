@@ -10,7 +10,8 @@
 
 namespace polhode {
 
-/// What a definition defines stands alone on a side; a law, and what is measured, could be otherwise.
+/// What a definition defines stands alone on a side; a law, and what is measured, could be otherwise. Warns
+/// of a formula that is what one of its symbols means, and where a law, or what is given, is not needed.
 void check_kind(const Claim& claim, const Prover& prover, Report& report, const Effort& effort);
 
 /// A line that is measured holds on the motion, within what decides anything.

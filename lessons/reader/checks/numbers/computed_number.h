@@ -46,8 +46,9 @@ std::optional<double> value_of(const ComputedNumber& number, MotionNumbers& moti
 std::map<int, double> values_in_tables(const std::vector<ComputedNumber>& numbers,
                                        const std::vector<int>& ids, const Effort& effort = {});
 
-/// What should have been typed: the value with as many digits behind the point and the same power of ten.
-/// Nothing if what was typed is off by no more than half a unit of its last digit. Precondition: it is typed.
+/// What should have been typed: the value with as many digits behind the point and the same power of ten, or
+/// with two digits where so few are far off. Nothing if what was typed is off by no more than half a unit of
+/// its last digit, and by no more than 5 %. Precondition: it is typed.
 std::optional<std::string> right_instead(const ComputedNumber& number, double value);
 
 }  // namespace polhode

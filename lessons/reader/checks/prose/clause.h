@@ -18,7 +18,8 @@ std::vector<TextSpan> clause_before(const std::vector<TextSpan>& line, std::size
 /// says of both. Nothing of other words.
 std::optional<Relation> take_verb(std::vector<TextSpan>& clause);
 
-/// The same of "is more than", "exceeds", "is less than".
+/// The same of "is more than", "exceeds", "is less than", "never exceeds"; "at most", "never" and the like
+/// may be equal.
 std::optional<Relation> take_comparison(std::vector<TextSpan>& clause);
 
 /// The same of "stays between", "lies between", "varies between": whether it is meant of all times; nothing
