@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whatever keyboard and mouse do in whatever order: the session stays one that could be reached by hand, what
 // can be undone is undone, and the state files say what is so. Seeds are fixed. A few short sequences by
-// default; POLHODE_RANDOM_INPUT=1000x200 makes a night of it.
+// default; POLHODE_RANDOM_INPUT=1000x200 makes a night of it, and 1000x200+400 goes on with it at the 401st.
 #include "app/session/answers/progress.h"
 #include "app/session/command.h"
 #include "app/session/saved/saved_progress.h"
@@ -21,13 +21,13 @@ namespace polhode {
 namespace {
 
 struct Amount {
-  int sequences = 5, events = 40;
+  int sequences = 5, events = 40, done = 0;
 };
 
 Amount amount() {
   Amount wanted;
   if (const char* text = std::getenv("POLHODE_RANDOM_INPUT"))
-    std::sscanf(text, "%dx%d", &wanted.sequences, &wanted.events);
+    std::sscanf(text, "%dx%d+%d", &wanted.sequences, &wanted.events, &wanted.done);
   return wanted;
 }
 
@@ -201,7 +201,7 @@ class RandomInput : public ScreenTest {
 
 TEST_F(RandomInput, LeavesASoundSession) {
   const Amount wanted = amount();
-  for (int sequence = 0; sequence < wanted.sequences; ++sequence) {
+  for (int sequence = wanted.done; sequence < wanted.sequences; ++sequence) {
     const test::Folder state, saved;
     const char* id = test::kLessons[static_cast<std::size_t>(sequence) % std::size(test::kLessons)];
     Hand hand(static_cast<unsigned>(1000 + sequence));
