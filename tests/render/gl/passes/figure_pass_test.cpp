@@ -192,9 +192,9 @@ TEST(FigurePass, WallsAreQuietOnPaperAndOnDarkGround) {
   for (const char* const ground : {"paper", "#16191E", "white"}) {
     const auto [with, without] =
         with_and_without_walls(drawn, figure, {}, background_from(ground).value(), {});
-    const auto off_ground = [&](const Image& image, std::size_t i) {
+    const auto off_ground = [&ground_rgba = without.rgba](const Image& image, std::size_t i) {
       int off = 0;
-      for (std::size_t k = 0; k < 3; ++k) off = std::max(off, std::abs(image.rgba[i + k] - without.rgba[k]));
+      for (std::size_t k = 0; k < 3; ++k) off = std::max(off, std::abs(image.rgba[i + k] - ground_rgba[k]));
       return off;
     };
     int of_walls = 0, of_arrows = 0;
