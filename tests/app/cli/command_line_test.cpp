@@ -403,6 +403,21 @@ TEST(Info, SaysWhatEachStageRequires) {
   EXPECT_THAT(table.out, HasSubstr("[1] " + stages[0]["why"].get<std::string>()));
 }
 
+/// Each of its stages takes as many steps as are made before a motion is given up: a second of one core.
+TEST(Info, EndsWhereALessonIsTooLongToMeasure) {
+  const ScratchFolder scratch;
+  std::string text = "+++\nformat = 1\nid = \"dear\"\ntitle = \"Dear\"\n+++\n";
+  for (int stage = 0; stage < 30; ++stage)
+    text += "# Stage {s" + std::to_string(stage) +
+            "}\nWords.\n\n```scene\nomega = [0.9, 0.4, 1.0]\ntorque = \"heavy:1e300,0,0,1\"\nshow = "
+            "[\"omega\"]\n```\n";
+  write_text(scratch / "dear.md", text);
+  const ProgramRun run = polhode({"info", scratch / "dear.md"});
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, HasSubstr("dear.md:"));
+  EXPECT_THAT(run.err, HasSubstr("too long to check"));
+}
+
 TEST(Info, SaysWhatALessonIsAbout) {
   const ScratchFolder scratch;
   write_text(
