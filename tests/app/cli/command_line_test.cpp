@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <sstream>
 #include <thread>
 
@@ -316,6 +317,21 @@ TEST(Usage, AFileLargerThanTheLimitIsAnError) {
       polhode({"export", test_lesson("tiny.md"), "-o", scratch / "out", "--size", "320x240"}, options);
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_THAT(run.err, HasSubstr("File too large"));
+}
+
+/// Beside a copy of the program, which so has no share/ of its own.
+TEST(FontFiles, AreLookedForBesideTheProgram) {
+  const ScratchFolder scratch;
+  const std::filesystem::path fonts = scratch / "share/polhode/fonts";
+  std::filesystem::create_directories(fonts);
+  std::filesystem::create_directories(scratch / "bin");
+  RunOptions options;
+  options.wrapper = {"sh", "-c", "cp \"$1\" \"$0\" && shift && exec \"$0\" \"$@\"", scratch / "bin/polhode"};
+  EXPECT_EQ(polhode({"lint", test_lesson("tiny.md")}, options).code, 0);
+  write_text(fonts / "texgyrepagella-italic.otf", "no font");
+  const ProgramRun run = polhode({"lint", test_lesson("tiny.md")}, options);
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr(fonts / "texgyrepagella-italic.otf"));
 }
 
 TEST(List, ReadsTheFolderOfTheEnvironmentFirst) {
