@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/numbers.h"
 
+#include <array>
+#include <cassert>
 #include <cctype>
 #include <charconv>
 
@@ -10,6 +12,17 @@ namespace {
 bool starts_with_hex_prefix(std::string_view text) {
   return text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X') &&
          (text[2] == '.' || std::isxdigit(static_cast<unsigned char>(text[2])) != 0);
+}
+
+/// The digits of the largest double, and as many decimals as anybody asks for.
+constexpr std::size_t kLongest = 400;
+
+template <class... Form>
+std::string written(double value, Form... form) {
+  std::array<char, kLongest> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, form...);
+  assert(error == std::errc{});
+  return std::string(text.data(), end);
 }
 
 }  // namespace
@@ -31,11 +44,12 @@ std::optional<double> parse_number(std::string_view text) {
   return negative ? -value : value;
 }
 
-std::string digits(double value, int most) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, value, std::chars_format::general, most);
-  return std::string(text, end);
+std::string digits(double value, int most) { return written(value, std::chars_format::general, most); }
+std::string fixed(double value, int decimals) { return written(value, std::chars_format::fixed, decimals); }
+std::string scientific(double value, int decimals) {
+  return written(value, std::chars_format::scientific, decimals);
 }
+std::string shortest(double value) { return written(value); }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;

@@ -170,6 +170,8 @@ std::string man_page(const std::vector<ProgramCommand>& commands) {
       "Where place, answers and preferences are kept, in a folder polhode; otherwise in ~/.local/state.");
   text += ".SH FILES\n";
   text += entry(italic("PROGRAM/../share/polhode/lessons"), "The lessons that came with the program.");
+  text += entry(italic("PROGRAM/../share/polhode/fonts"),
+                "Font files, for a machine that has none of them; nothing is installed there.");
   text += entry(italic("PROGRAM/../share/polhode/jobs"), "Scripts for a Slurm array and for GNU parallel.");
   text += ".SH EXAMPLES\n";
   for (const Example& example : kExamples) text += entry(bold(example.line), example.about);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/body/principal_moments.h"
 
-#include <array>
-#include <charconv>
+#include "base/numbers.h"
+
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -13,19 +13,10 @@ namespace {
 constexpr double kEps = 0x1p-53;
 constexpr const char* kNoBody = ": no rigid body has these moments";
 
-std::string number(double x) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), x).ptr;
-  return {text.data(), end};
-}
-
 /// In six digits if it takes more.
 std::string short_number(double x) {
   constexpr int kDigits = 6;
-  std::array<char, 32> text{};
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, kDigits).ptr;
-  const std::string all = number(x), rounded(text.data(), end);
+  const std::string all = shortest(x), rounded = digits(x, kDigits);
   return rounded.size() < all.size() ? rounded : all;
 }
 
@@ -44,8 +35,8 @@ bool exceeds_sum(double largest, double b, double c) {
 std::optional<std::string> why_impossible(double I1, double I2, double I3) {
   const Vec3 I(I1, I2, I3);
   for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(I[i])) return symbol(i) + " = " + number(I[i]) + " is not finite" + kNoBody;
-    if (!(I[i] > 0)) return symbol(i) + " = " + number(I[i]) + " is not positive" + kNoBody;
+    if (!std::isfinite(I[i])) return symbol(i) + " = " + shortest(I[i]) + " is not finite" + kNoBody;
+    if (!(I[i] > 0)) return symbol(i) + " = " + shortest(I[i]) + " is not positive" + kNoBody;
   }
 
   int i = 0;
@@ -56,7 +47,7 @@ std::optional<std::string> why_impossible(double I1, double I2, double I3) {
   if (!exceeds_sum(std::scalbn(I[i], -e), std::scalbn(I[j], -e), std::scalbn(I[k], -e))) return std::nullopt;
   const double sum = I[j] + I[k];
   const bool is_close = short_number(I[i]) == short_number(sum);
-  const auto written = [&](double x) { return is_close ? number(x) : short_number(x); };
+  const auto written = [&](double x) { return is_close ? shortest(x) : short_number(x); };
   return symbol(i) + " = " + written(I[i]) + " exceeds " + symbol(j) + " + " + symbol(k) + " = " +
          written(sum) + kNoBody + " (each must be at most the sum of the other two)";
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "render/drawing/linear_axis.h"
 
+#include "base/numbers.h"
 #include "render/drawing/log_axis.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace polhode {
@@ -45,14 +45,12 @@ int step_at_least(double length) {
   return n;
 }
 
-/// Not printf, whose decimal point depends on the locale.
 std::string written(double value, int decimals) {
-  std::array<char, 64> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), std::abs(value),
-                                          std::chars_format::fixed, decimals);
-  if (error != std::errc{}) return short_number(value);
-  const bool negative = value < 0.0 && std::any_of(text.data(), end, [](char c) { return c >= '1'; });
-  return (negative ? "−" : "") + std::string(text.data(), end);
+  constexpr std::size_t kMostSigns = 64;
+  const std::string text = fixed(std::abs(value), decimals);
+  if (text.size() > kMostSigns) return short_number(value);
+  const bool negative = value < 0.0 && text.find_first_of("123456789") != text.npos;
+  return (negative ? "−" : "") + text;
 }
 
 }  // namespace

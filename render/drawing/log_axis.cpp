@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render/drawing/log_axis.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace polhode {
@@ -32,19 +33,6 @@ std::string superscript(int n) {
   return text;
 }
 
-// Not printf, whose decimal point depends on the locale.
-std::string written(double value, std::chars_format format, int digits) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format, digits).ptr;
-  return {text.data(), end};
-}
-
-double number(const std::string& text) {
-  double value = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
 std::string without_trailing_zeros(std::string text) {
   if (text.find('.') == std::string::npos) return text;
   text.erase(text.find_last_not_of('0') + 1);
@@ -58,13 +46,12 @@ std::string power_of_ten(int exponent) { return "10" + superscript(exponent); }
 
 std::string short_number(double value) {
   if (value == 0.0) return "0";
-  const std::string scientific = written(value, std::chars_format::scientific, 1);  // d.de±dd
-  const std::size_t e = scientific.find('e');
-  const int exponent = std::stoi(scientific.substr(e + 1));
-  const std::string mantissa = without_trailing_zeros(scientific.substr(0, e));
+  const std::string text = scientific(value, 1);  // d.de±dd
+  const std::size_t e = text.find('e');
+  const int exponent = std::stoi(text.substr(e + 1));
+  const std::string mantissa = without_trailing_zeros(text.substr(0, e));
   if (exponent >= -2 && exponent <= 3)
-    return without_trailing_zeros(
-        written(number(scientific), std::chars_format::fixed, std::max(0, 1 - exponent)));
+    return without_trailing_zeros(fixed(parse_number(text).value_or(value), std::max(0, 1 - exponent)));
   return (mantissa == "1" ? "" : mantissa + " × ") + power_of_ten(exponent);
 }
 

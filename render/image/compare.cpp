@@ -36,16 +36,19 @@ void paint_red(int difference, std::uint8_t* to) {
 
 }  // namespace
 
-Comparison compare_images(const Image& a, const Image& b) {
-  Comparison found;
-  found.same_size = a.size == b.size;
-  if (!found.same_size) return found;
-  found.pixels = static_cast<std::int64_t>(a.rgba.size() / 4);
-  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
-    const int difference = pixel_difference(&a.rgba[i], &b.rgba[i]);
+void add_differences(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b, Comparison& found) {
+  found.pixels += static_cast<std::int64_t>(a.size() / 4);
+  for (std::size_t i = 0; i < a.size(); i += 4) {
+    const int difference = pixel_difference(&a[i], &b[i]);
     found.over_3 += difference > kGoldenLevels;
     found.max = std::max(found.max, difference);
   }
+}
+
+Comparison compare_images(const Image& a, const Image& b) {
+  Comparison found;
+  found.same_size = a.size == b.size;
+  if (found.same_size) add_differences(a.rgba, b.rgba, found);
   return found;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace polhode {
 
@@ -26,6 +27,9 @@ struct Comparison {
   }
   bool equal() const { return same_size && over_fraction() <= kGoldenFraction && max <= kGoldenMax; }
 };
+
+/// Counts pixels of both, as many as there are, into what was found so far.
+void add_differences(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b, Comparison& found);
 
 /// All counts are zero if the sizes differ.
 Comparison compare_images(const Image& a, const Image& b);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/files/file_bytes.h"
 #include "render/image/png.h"
+#include "render/image/png_rows.h"
 #include "render/image/png_text.h"
 
 #include <png.h>
@@ -10,6 +11,7 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <string_view>
 
 namespace polhode {
@@ -106,6 +108,13 @@ bool read_pixels(const Handles& handles, std::span<png_bytep> rows) {
   return true;
 }
 
+bool read_row(const Handles& handles, png_bytep row, bool is_last) {
+  if (setjmp(png_jmpbuf(handles.png))) return false;
+  png_read_row(handles.png, row, nullptr);
+  if (is_last) png_read_end(handles.png, handles.info);
+  return true;
+}
+
 std::vector<png_bytep> rows_of(Image& image) {
   std::vector<png_bytep> rows;
   const std::size_t row_bytes = 4 * static_cast<std::size_t>(image.size.width);
@@ -131,35 +140,54 @@ PngMetadata metadata_of(const Handles& handles) {
   return metadata;
 }
 
-Result<PngFile> decode(const Handles& handles, Reader& reader, std::size_t file_bytes) {
-  const auto broken = [&] { return failure(std::string("damaged or refused PNG: ") + reader.error.data()); };
-  if (!read_header(handles)) return broken();
-  if (!plausible(handles, file_bytes))
-    return failure("damaged or refused PNG: far too short for its size in pixels");
-  if (!prepare_pixels(handles)) return broken();
-  PngFile file;
-  file.image = Image::blank({static_cast<int>(png_get_image_width(handles.png, handles.info)),
-                             static_cast<int>(png_get_image_height(handles.png, handles.info))});
-  std::vector<png_bytep> rows = rows_of(file.image);
-  if (!read_pixels(handles, rows)) return broken();
-  file.metadata = metadata_of(handles);
-  return file;
-}
+/// A file whose pixels are what is read next.
+struct OpenPng {
+  Reader reader;
+  Handles handles;
+
+  Failure<std::string> broken() const {
+    return failure(std::string("damaged or refused PNG: ") + reader.error.data());
+  }
+  Size size() const {
+    return {static_cast<int>(png_get_image_width(handles.png, handles.info)),
+            static_cast<int>(png_get_image_height(handles.png, handles.info))};
+  }
+  bool interlaced() const { return png_get_interlace_type(handles.png, handles.info) != PNG_INTERLACE_NONE; }
+
+  /// The bytes have to outlive what is read of them.
+  Status begin(std::span<const std::uint8_t> bytes) {
+    if (bytes.size() < kSignatureBytes || png_sig_cmp(bytes.data(), 0, kSignatureBytes) != 0)
+      return failure("not a PNG file");
+    if (has_long_chunk(bytes)) return failure("refused PNG: a chunk other than pixels is longer than 1 MiB");
+    reader.rest = bytes;
+    handles.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_error, on_warning);
+    if (handles.png) handles.info = png_create_info_struct(handles.png);
+    if (!handles.info)
+      return failure("libpng cannot start: out of memory, or older than the one we were built with");
+    png_set_read_fn(handles.png, &reader, on_read);
+    if (!read_header(handles)) return broken();
+    if (!plausible(handles, bytes.size()))
+      return failure("damaged or refused PNG: far too short for its size in pixels");
+    if (!prepare_pixels(handles)) return broken();
+    return success();
+  }
+
+  Result<Image> read_image() {
+    Image image = Image::blank(size());
+    std::vector<png_bytep> rows = rows_of(image);
+    if (!read_pixels(handles, rows)) return broken();
+    return image;
+  }
+};
 
 }  // namespace
 
 Result<PngFile> decode_png(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kSignatureBytes || png_sig_cmp(bytes.data(), 0, kSignatureBytes) != 0)
-    return failure("not a PNG file");
-  if (has_long_chunk(bytes)) return failure("refused PNG: a chunk other than pixels is longer than 1 MiB");
-  Reader reader{bytes};
-  Handles handles;
-  handles.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_error, on_warning);
-  if (handles.png) handles.info = png_create_info_struct(handles.png);
-  if (!handles.info)
-    return failure("libpng cannot start: out of memory, or older than the one we were built with");
-  png_set_read_fn(handles.png, &reader, on_read);
-  return decode(handles, reader, bytes.size());
+  OpenPng png;
+  if (const Status begun = png.begin(bytes); !begun) return failure(begun.error());
+  Result<Image> image = png.read_image();
+  if (!image) return failure(image.error());
+  return PngFile{std::move(*image), metadata_of(png.handles)};
 }
 
 Result<PngFile> read_png(const std::filesystem::path& path) {
@@ -171,6 +199,41 @@ Result<PngFile> read_png(const std::filesystem::path& path) {
   Result<PngFile> file = decode_png(*bytes);
   if (!file) return cannot_read(file.error());
   return file;
+}
+
+struct PngRows::State {
+  std::vector<std::uint8_t> bytes, row;
+  OpenPng png;
+  std::optional<Image> all;  ///< where rows do not come one after the other
+  int next = 0;
+};
+
+PngRows::PngRows(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PngRows::~PngRows() = default;
+PngRows::PngRows(PngRows&&) noexcept = default;
+PngRows& PngRows::operator=(PngRows&&) noexcept = default;
+
+Result<PngRows> PngRows::open(std::vector<std::uint8_t> bytes) {
+  auto state = std::make_unique<State>();
+  state->bytes = std::move(bytes);
+  if (const Status begun = state->png.begin(state->bytes); !begun) return failure(begun.error());
+  if (state->png.interlaced()) {
+    auto image = state->png.read_image();
+    if (!image) return failure(image.error());
+    state->all = std::move(*image);
+  }
+  state->row.resize(4 * static_cast<std::size_t>(state->png.size().width));
+  return PngRows(std::move(state));
+}
+
+Size PngRows::size() const { return state_->png.size(); }
+
+Result<std::span<const std::uint8_t>> PngRows::next() {
+  State& s = *state_;
+  const int y = s.next++;
+  if (s.all) return std::span<const std::uint8_t>(s.all->pixel(0, y), s.row.size());
+  if (!read_row(s.png.handles, s.row.data(), s.next == size().height)) return s.png.broken();
+  return std::span<const std::uint8_t>(s.row);
 }
 
 }  // namespace polhode

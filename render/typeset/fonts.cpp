@@ -63,12 +63,15 @@ struct OpenFace {
   mutable std::unordered_map<std::uint32_t, GlyphBox> boxes;
 };
 
-/// Where the file may be: in the folder that $POLHODE_FONTS names, in Debian's, in the one of TeX Live from
-/// upstream.
+/// Where the file may be: in the folder that $POLHODE_FONTS names, beside the program, as PROGRAM is to
+/// PROGRAM/../share/polhode/fonts, in Debian's folders, in the one of TeX Live from upstream.
 std::vector<std::filesystem::path> places_of(const std::filesystem::path& file) {
   std::vector<std::filesystem::path> places;
   const char* chosen = std::getenv("POLHODE_FONTS");
   if (chosen && *chosen) places.push_back(chosen / file.filename());
+  std::error_code unknown;
+  if (const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown); !unknown)
+    places.push_back(program.parent_path().parent_path() / "share/polhode/fonts" / file.filename());
   for (const char* folder :
        {"/usr/share/texmf/fonts/opentype/public", "/usr/share/texlive/texmf-dist/fonts/opentype/public",
         "/usr/share/fonts/opentype"})

@@ -3,6 +3,8 @@
 #include "render/image/compare.h"
 
 #include "app/cli/commands/commands.h"
+#include "app/cli/or_fail.h"
+#include "render/image/compare_files.h"
 #include "render/image/png.h"
 
 #include <fmt/format.h>
@@ -16,12 +18,6 @@ struct Options {
   std::string a, b, diff;
   bool json = false;
 };
-
-Image read_image(const std::string& path) {
-  Result<PngFile> file = read_png(path);
-  if (!file) throw CommandError(ExitCode::failed, file.error());
-  return std::move(file->image);
-}
 
 void print_json(const Comparison& found) {
   const nlohmann::ordered_json json = {{"equal", found.equal()},
@@ -42,17 +38,20 @@ void print_words(const Comparison& found, Size a, Size b) {
              kGoldenLevels, found.max);
 }
 
+/// Only for this both pictures are held whole.
+void write_difference(const Options& options) {
+  const auto read = [](const std::string& path) { return or_fail(read_png(path)).image; };
+  or_fail(write_png(options.diff, difference_image(read(options.a), read(options.b)), {}));
+}
+
 ExitCode compare(const Options& options) {
-  const Image a = read_image(options.a), b = read_image(options.b);
-  const Comparison found = compare_images(a, b);
+  const FileComparison files = or_fail(compare_png_files(options.a, options.b));
   if (options.json)
-    print_json(found);
+    print_json(files.found);
   else
-    print_words(found, a.size, b.size);
-  if (!options.diff.empty())
-    if (const Status written = write_png(options.diff, difference_image(a, b), {}); !written)
-      throw CommandError(ExitCode::failed, written.error());
-  return found.equal() ? ExitCode::done : ExitCode::different;
+    print_words(files.found, files.a, files.b);
+  if (!options.diff.empty()) write_difference(options);
+  return files.found.equal() ? ExitCode::done : ExitCode::different;
 }
 
 }  // namespace

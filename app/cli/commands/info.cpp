@@ -9,7 +9,9 @@
 #include "base/angles.h"
 #include "base/printable.h"
 #include "base/stopwatch.h"
+#include "lessons/reader/checks/lint_budget.h"
 #include "physics/analysis/horizon.h"
+#include "physics/effort.h"
 #include "physics/exact/lagrange_top.h"
 #include "physics/method.h"
 #include "render/scene/model/model.h"
@@ -63,7 +65,8 @@ Requirements needs_of(const SceneModel& model) {
   return needs;
 }
 
-StageInfo info_of(const Stage& stage) {
+/// Whatever the motion costs while it is asked is told to `effort`.
+StageInfo info_of(const Stage& stage, const Effort& effort) {
   constexpr int kSetups = 5;
   StageInfo info;
   info.stage = &stage;
@@ -71,12 +74,13 @@ StageInfo info_of(const Stage& stage) {
                                   [](const Step& s) { return s.scene != nullptr; });
   if (drawn == stage.steps.rend()) return info;
   info.scenes = facts_of(stage);
-  const SceneModel model = make_model(*drawn->scene, ModelFor::page);
+  const auto set_up = [&] { return make_model(*drawn->scene, ModelFor::page, effort); };
+  const SceneModel model = set_up();
   info.has_scene = true;
   info.needs = names_of(needs_of(model));
   info.motion = model.motion->method();
   info.why = model.why;
-  info.setup_ns = median_ns(kSetups, [&] { static_cast<void>(make_model(*drawn->scene, ModelFor::page)); });
+  info.setup_ns = median_ns(kSetups, [&] { static_cast<void>(set_up()); });
   info.call_ns = call_cost_ns(model);
   info.horizon = horizon_of(problem_of(*drawn->scene));
   return info;
@@ -257,10 +261,23 @@ void print_table(const Lesson& lesson, const std::vector<StageInfo>& infos) {
   print_scenes(infos, width);
 }
 
+/// Of all stages, for no more than kLintBudget: a lesson of 5 kB can ask for minutes.
+std::vector<StageInfo> infos_of(const LoadedLesson& loaded) {
+  Budget budget(kLintBudget);
+  std::vector<StageInfo> infos;
+  for (const Stage& stage : loaded.lesson.stages) {
+    try {
+      infos.push_back(info_of(stage, budget.effort()));
+    } catch (const BudgetSpent&) {
+      throw CommandError(ExitCode::invalid, to_string(too_long_to_check(loaded.path.string(), stage.place)));
+    }
+  }
+  return infos;
+}
+
 ExitCode show_info(const std::string& name, bool json) {
   const LoadedLesson loaded = or_fail(load_lesson(name));
-  std::vector<StageInfo> infos;
-  for (const Stage& stage : loaded.lesson.stages) infos.push_back(info_of(stage));
+  const std::vector<StageInfo> infos = infos_of(loaded);
   if (!json) {
     print_table(loaded.lesson, infos);
     return ExitCode::done;

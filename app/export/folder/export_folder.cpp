@@ -72,7 +72,7 @@ Status may_join(const fs::path& folder, const ExportIdentity& there, const Expor
 
 Json marker_json(const Marker& marker) {
   Json json;
-  json["format"] = 1;
+  json["format"] = kManifestFormat;
   json["lesson"] = {{"id", marker.of.lesson_id}, {"sha256", marker.of.lesson_sha256}};
   json["options"] = Json::parse(marker.of.options);
   json["renderer"] = marker.renderer;

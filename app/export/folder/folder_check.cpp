@@ -47,9 +47,9 @@ Json record_in(const fs::path& path) {
   if (!fs::is_regular_file(path, error)) return nullptr;
   std::ifstream file(path, std::ios::binary);
   Json json = shallow_json(file);
-  const bool whole = json.is_object() && json.contains("files") && json["files"].is_array() &&
-                     json.contains("lesson") && json["lesson"].is_object() && json.contains("options") &&
-                     json["options"].is_object();
+  const bool whole = json.is_object() && number_in(json, "format") == kManifestFormat &&
+                     json.contains("files") && json["files"].is_array() && json.contains("lesson") &&
+                     json["lesson"].is_object() && json.contains("options") && json["options"].is_object();
   return whole ? json : Json(nullptr);
 }
 
@@ -137,7 +137,9 @@ class Check {
 
   /// @param sha256 empty in manifests of before 0.1.0: then only an empty file is known to be wrong
   void check_text(const std::string& name, const std::string& sha256) {
-    const auto bytes = read_file_bytes(folder_ / name);
+    // Far more than the text of a lesson of 1 MiB takes, or its outlines.
+    constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
+    const auto bytes = read_file_bytes(folder_ / name, kMostBytes);
     if (!bytes)
       damaged(name, bytes.error());
     else if (bytes->empty())
@@ -224,14 +226,13 @@ class Check {
     return !word.empty() && word.front() != '-' && shows_as_it_is(word);
   }
 
-  /// @param words PROGRAM export LESSON [--option VALUE]… --skip-existing
+  /// @param words PROGRAM export LESSON --output FOLDER [--option VALUE]… --skip-existing
   static bool may_be_offered(const std::vector<std::string>& words) {
     static const std::set<std::string> kOptions = {
-        "--output",  "--stage",     "--what",   "--each",       "--size",  "--fps",
-        "--seconds", "--at",        "--theme",  "--background", "--dpi",   "--png",
-        "--quality", "--text-size", "--frames", "--profile",    "--format"};
+        "--stage",      "--what", "--each", "--size",    "--fps",       "--seconds", "--at",      "--theme",
+        "--background", "--dpi",  "--png",  "--quality", "--text-size", "--frames",  "--profile", "--format"};
     if (!shows_as_it_is(words) || !is_argument(words[2])) return false;
-    for (std::size_t i = 3; i + 1 < words.size(); i += 2)
+    for (std::size_t i = 5; i + 1 < words.size(); i += 2)  // no other folder than this one
       if (!kOptions.contains(words[i]) || words[i + 1].starts_with("--")) return false;
     return true;
   }

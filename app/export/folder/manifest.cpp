@@ -127,7 +127,7 @@ std::string options_json(const ExportOptions& options) {
 
 std::string manifest_head(const ExportIdentity& of, const std::string& renderer) {
   Json json;
-  json["format"] = 1;
+  json["format"] = kManifestFormat;
   json["lesson"] = {{"id", of.lesson_id}, {"sha256", of.lesson_sha256}};
   json["options"] = Json::parse(of.options);
   json["renderer"] = renderer;
@@ -150,8 +150,9 @@ Result<std::optional<ManifestSummary>> summarize_manifest(const std::filesystem:
   if (!file) return failure("cannot read " + path.string() + ": " + reason_of(errno));
   FileCounter counter;
   const Json json = shallow_json(file, std::ref(counter));
-  const bool whole = json.is_object() && json.contains("lesson") && json["lesson"].is_object() &&
-                     json.contains("options") && json["options"].is_object();
+  const bool whole = json.is_object() && json.contains("format") && json["format"] == kManifestFormat &&
+                     json.contains("lesson") && json["lesson"].is_object() && json.contains("options") &&
+                     json["options"].is_object();
   const auto text = [](const Json& of, const char* name) {
     return of.contains(name) && of[name].is_string() ? of[name].get<std::string>() : std::string();
   };

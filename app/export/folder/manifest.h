@@ -14,6 +14,8 @@
 namespace polhode {
 
 inline constexpr const char* kManifestName = "manifest.json";
+/// Of manifests and markers; those of another are not read.
+inline constexpr int kManifestFormat = 1;
 
 /// What a file does not have is empty and null in the manifest.
 struct ManifestFile {

@@ -107,7 +107,8 @@ StateFileResult<std::string> read_state_file(const fs::path& path, const std::st
   try {
     const Json json = Json::parse(*text);
     if (json.at("format") != kFormat)
-      return fails(fmt::format("{} is of another version of this program; move it away", what));
+      return fails(
+          fmt::format("{}, {}, is of another version of this program; move it away", what, path.string()));
     take(json);
   } catch (const std::exception&) {  // as readers of JSON say that it is not what they expected
     return set_aside(path);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/expressions/expression.h"
 
+#include "base/numbers.h"
 #include "base/spelling.h"
 #include "lessons/claims/expressions/expression_builder.h"
 #include "lessons/claims/expressions/lengths.h"
@@ -178,7 +179,7 @@ class ExpressionReader {
     if (std::abs(number.power_of_ten) > kMaxPowerOfTen)
       fail(begin, "a number carries at most 18 powers of ten");
     end_ = i_;
-    std::from_chars(text_.data() + begin, text_.data() + i_, number.value);
+    number.value = parse_number(text_.substr(begin, i_ - begin)).value();
     const int node = builder_.number(number, begin, i_);
     skip_spaces();
     return node;

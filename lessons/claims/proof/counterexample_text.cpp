@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/proof/counterexample_text.h"
 
+#include "base/numbers.h"
 #include "lessons/claims/proof/rational_function.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace polhode {
@@ -69,11 +69,9 @@ std::string text_of(const PowerSeries<Ratio>& series, int last) {
 }  // namespace
 
 std::string number_text(double value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value == 0 ? 0.0 : value,  // no −0
-                                 std::chars_format::general, 6);
-  return text.front() == '-' ? "−" + std::string(text.data() + 1, end.ptr)
-                             : std::string(text.data(), end.ptr);
+  constexpr int kDigits = 6;
+  const std::string text = digits(value == 0 ? 0.0 : value, kDigits);  // no −0
+  return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
 std::string name_in_tex(std::string_view name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/proof/proof.h"
 
+#include "base/numbers.h"
 #include "lessons/claims/condition.h"
 #include "lessons/claims/expressions/degree.h"
 #include "lessons/claims/expressions/lengths.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <random>
@@ -125,14 +125,8 @@ StateNumbers<FieldElement> random_numbers(std::mt19937_64& random) {
 /// "3" of "9", "0.5" of "0.25", but "√2" of "2": a number whose square, as a text, is written in full.
 std::string root_text(const std::string& square) {
   constexpr int kDigits = 3;  // the square of so many has at most the 6 that number_text writes
-  double value = 0;
-  std::from_chars(square.data(), square.data() + square.size(), value);
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::sqrt(value),
-                                 std::chars_format::general, kDigits)
-                       .ptr;
-  double root = 0;
-  std::from_chars(text.data(), end, root);
+  const double value = parse_number(square).value_or(0);
+  const double root = parse_number(digits(std::sqrt(value), kDigits)).value_or(0);
   return number_text(root * root) == square ? number_text(root) : "√" + square;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/checks/formula_signs.h"
 
+#include "base/numbers.h"
 #include "lessons/notation/tex_items.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -52,6 +54,11 @@ std::size_t minuses_in(const MathNode& node) {
   return count;
 }
 
+/// Of digits and points. What is too large for a double is a factor that no claim has.
+double number_of(const std::string& digits) {
+  return parse_number(digits).value_or(std::numeric_limits<double>::infinity());
+}
+
 void add_factor(double number, std::set<double>& factors) {
   constexpr double kRounding = 1e-9;
   if (number == 0 || number == 1) return;
@@ -78,7 +85,7 @@ std::set<double> factors_in(const MathNode& node) {
       if (!is_digit(parts[i]) && (!is_point || digits.empty())) break;
       digits += static_cast<char>(parts[i].character);
     }
-    if (!digits.empty()) add_factor(std::stod(digits), found);
+    if (!digits.empty()) add_factor(number_of(digits), found);
     if (i < parts.size()) found.merge(factors_in(parts[i]));
   }
   return found;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "render/drawing/diagrams/diagram_paper.h"
 
+#include "base/numbers.h"
 #include "render/drawing/log_axis.h"
 #include "render/typeset/paragraph.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -14,12 +14,10 @@ namespace {
 
 MathSymbol symbol(const char* tex, const Color& color) { return {tex, parse_math(tex).value(), color}; }
 
-/// Not printf, whose decimal point depends on the locale.
-std::string fixed(double value, int decimals) {
-  std::array<char, 64> text{};
-  const auto [end, error] =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
-  return error == std::errc{} ? std::string(text.data(), end) : short_number(value);
+std::string fixed_or_short(double value, int decimals) {
+  constexpr std::size_t kMostSigns = 64;
+  const std::string text = fixed(value, decimals);
+  return text.size() <= kMostSigns ? text : short_number(value);
 }
 
 }  // namespace
@@ -33,7 +31,7 @@ NumberForm::NumberForm(double largest, int digits) : decimals_(digits - 1) {
 
 std::string NumberForm::text(double value) const {
   if (!std::isfinite(value)) return "–";
-  const std::string digits = fixed(std::abs(value) * std::pow(10.0, -exponent_), decimals_);
+  const std::string digits = fixed_or_short(std::abs(value) * std::pow(10.0, -exponent_), decimals_);
   const bool is_zero = digits.find_first_of("123456789") == digits.npos;
   return (value < 0.0 && !is_zero ? "−" : "") + digits;
 }
@@ -58,22 +56,15 @@ std::string signed_short(double value) {
 std::string two_digits(double value) {
   if (!std::isfinite(value)) return "–";
   if (value == 0.0) return "0";
-  std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), std::abs(value),
-                                          std::chars_format::scientific, 1);  // d.de±dd
-  const std::string scientific(text.data(), end);
-  const std::size_t e = scientific.find('e');
-  const int exponent = std::stoi(scientific.substr(e + 1));
+  const std::string text = scientific(std::abs(value), 1);  // d.de±dd
+  const std::size_t e = text.find('e');
+  const int exponent = std::stoi(text.substr(e + 1));
   const std::string sign = value < 0.0 ? "−" : "";
-  if (exponent >= -2 && exponent <= 1) return sign + fixed(std::abs(value), 1 - exponent);
-  return sign + scientific.substr(0, e) + " × " + power_of_ten(exponent);
+  if (exponent >= -2 && exponent <= 1) return sign + fixed_or_short(std::abs(value), 1 - exponent);
+  return sign + text.substr(0, e) + " × " + power_of_ten(exponent);
 }
 
-std::string plain_number(double value) {
-  std::array<char, 64> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} ? std::string(text.data(), end) : "–";
-}
+std::string plain_number(double value) { return shortest(value); }
 
 int third_at(const SceneModel& model, double t_s) {
   const double turns = t_s / model.span_s, part = turns - std::floor(turns);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/typeset/math/mathml.h"
 
+#include "base/numbers.h"
 #include "base/utf8.h"
 #include "render/typeset/math/alphabets.h"
 #include "render/typeset/math/symbols.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -52,11 +52,8 @@ std::string attribute(std::string_view name, std::string_view value) {
 
 /// "0.25em"
 std::string in_em(double length) {
-  std::array<char, 32> digits{};
   constexpr int kDigits = 4;  // a ten-thousandth of an em is no pixel anywhere
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), length,
-                                 std::chars_format::general, kDigits);
-  return std::string(digits.data(), end.ptr) + "em";
+  return digits(length, kDigits) + "em";
 }
 
 std::string_view class_of(Face face) {

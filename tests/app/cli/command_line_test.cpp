@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <sstream>
 #include <thread>
 
@@ -318,6 +319,21 @@ TEST(Usage, AFileLargerThanTheLimitIsAnError) {
   EXPECT_THAT(run.err, HasSubstr("File too large"));
 }
 
+/// Beside a copy of the program, which so has no share/ of its own.
+TEST(FontFiles, AreLookedForBesideTheProgram) {
+  const ScratchFolder scratch;
+  const std::filesystem::path fonts = scratch / "share/polhode/fonts";
+  std::filesystem::create_directories(fonts);
+  std::filesystem::create_directories(scratch / "bin");
+  RunOptions options;
+  options.wrapper = {"sh", "-c", "cp \"$1\" \"$0\" && shift && exec \"$0\" \"$@\"", scratch / "bin/polhode"};
+  EXPECT_EQ(polhode({"lint", test_lesson("tiny.md")}, options).code, 0);
+  write_text(fonts / "texgyrepagella-italic.otf", "no font");
+  const ProgramRun run = polhode({"lint", test_lesson("tiny.md")}, options);
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr(fonts / "texgyrepagella-italic.otf"));
+}
+
 TEST(List, ReadsTheFolderOfTheEnvironmentFirst) {
   RunOptions options;
   options.environment["POLHODE_LESSONS"] = test_lesson("");
@@ -401,6 +417,21 @@ TEST(Info, SaysWhatEachStageRequires) {
   const ProgramRun table = polhode({"info", test_lesson("tiny.md")});
   EXPECT_THAT(table.out, HasSubstr("rolling"));
   EXPECT_THAT(table.out, HasSubstr("[1] " + stages[0]["why"].get<std::string>()));
+}
+
+/// Each of its stages takes as many steps as are made before a motion is given up: a second of one core.
+TEST(Info, EndsWhereALessonIsTooLongToMeasure) {
+  const ScratchFolder scratch;
+  std::string text = "+++\nformat = 1\nid = \"dear\"\ntitle = \"Dear\"\n+++\n";
+  for (int stage = 0; stage < 30; ++stage)
+    text += "# Stage {s" + std::to_string(stage) +
+            "}\nWords.\n\n```scene\nomega = [0.9, 0.4, 1.0]\ntorque = \"heavy:1e300,0,0,1\"\nshow = "
+            "[\"omega\"]\n```\n";
+  write_text(scratch / "dear.md", text);
+  const ProgramRun run = polhode({"info", scratch / "dear.md"});
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, HasSubstr("dear.md:"));
+  EXPECT_THAT(run.err, HasSubstr("too long to check"));
 }
 
 TEST(Info, SaysWhatALessonIsAbout) {

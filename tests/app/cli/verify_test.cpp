@@ -146,9 +146,11 @@ TEST_F(Verify, OffersNothingForCopyingButAnExportByThisProgram) {
   write_text(file(kMarkerName), marker.dump());
   EXPECT_THAT(json(4)["resume"], Not(HasSubstr("evil"))) << "the program is the one that verifies";
   marker["resume"] = nullptr;
-  marker["options"] = {{"output \u001b", "x"}};
-  write_text(file(kMarkerName), marker.dump());
-  EXPECT_TRUE(json(4)["resume"].is_null());
+  for (const char* option : {"output \u001b", "output", "skip-existing"}) {
+    marker["options"] = {{option, "/etc"}};
+    write_text(file(kMarkerName), marker.dump());
+    EXPECT_TRUE(json(4)["resume"].is_null()) << option;
+  }
 }
 
 // A film or deck of that name would be written over.
@@ -246,10 +248,26 @@ TEST_F(Verify, FindsAManifestThatListsAFileTwiceOrAnImpossibleSize) {
   EXPECT_THAT(json(4)["foreign"], ElementsAre(kFirst));
 }
 
+TEST_F(Verify, DoesNotReadAManifestOfAnotherFormat) {
+  for (const Json& format : {Json(2), Json("1"), Json(nullptr)}) {
+    Json manifest = Json::parse(text_of(file(kManifestName)));
+    manifest["format"] = format;
+    write_text(file(kManifestName), manifest.dump());
+    const Json found = json(4);
+    EXPECT_THAT(found["damaged"], ElementsAre(kManifestName)) << format;
+    EXPECT_EQ(found["reasons"][kManifestName], "it is not a manifest of polhode");
+    EXPECT_EQ(polhode(small_export(folder())).code, 1) << format;
+  }
+}
+
 // HOSTILE F11: it was read whole, and took as much memory.
 TEST_F(Verify, FindsAFileThatIsLongerThanItsPictureCanBe) {
   fs::resize_file(file(kFirst), std::uintmax_t{1} << 30);
   EXPECT_EQ(json(4)["reasons"][kFirst], "it is larger than it can be");
+  const fs::path text = scratch / "text";
+  ASSERT_EQ(polhode({"export", test_lesson("tiny.md"), "-o", text, "--what", "transcript"}).code, 0);
+  fs::resize_file(text / "tiny.txt", std::uintmax_t{1} << 30);
+  EXPECT_THAT(polhode({"verify", text}).out, HasSubstr("damaged: tiny.txt: it is larger than it can be"));
 }
 
 // Found by hand beside the fuzzer: printing and copying such a value went as deep as it does, and ended the

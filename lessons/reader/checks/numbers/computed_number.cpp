@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/checks/numbers/computed_number.h"
 
+#include "base/numbers.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +44,7 @@ std::optional<std::string> right_instead(const ComputedNumber& number, double va
   const std::size_t e = std::min(typed.find('e'), typed.size()), point = std::min(typed.find('.'), e);
   const int decimals = point == e ? 0 : static_cast<int>(e - point) - 1;
   const int power = e == typed.size() ? 0 : std::stoi(typed.substr(e + 1));
-  const double last_digit = std::pow(10.0, power - decimals), shown = std::stod(typed);
+  const double last_digit = std::pow(10.0, power - decimals), shown = parse_number(typed).value();
   // A number that lies in the middle between two may be rounded either way, whatever is lost in the last
   // bits.
   constexpr double kBits = 64;

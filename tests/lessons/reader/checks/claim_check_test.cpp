@@ -41,6 +41,15 @@ TEST(CheckClaims, EveryLineOfALessonIsProvedAtItsPlace) {
   EXPECT_THAT(wrong[1], HasSubstr("15:1: error:"));
 }
 
+// 2026-11-28: it was read by what throws then, and no lesson was checked any further.
+TEST(CheckClaims, ANumberTooLargeForADoubleIsAFactorThatNoClaimHas) {
+  const std::string digits(400, '9');
+  EXPECT_THAT(faults_of("```math a\n" + digits +
+                        "\\,T = x\n```\n```claim a identity\n2*T = dot(omega, L)\n```\n"
+                        "```scene\nshow = [\"omega\"]\n```\n"),
+              ::testing::Contains(HasSubstr("the formula has other numbers than the claim")));
+}
+
 // 2026-11-23: "dT/dt = 0 = 3.76 W" was true when no torque acts, beside a top.
 TEST(CheckClaims, NumbersAreOfAMotionOfWhichTheEquationHolds) {
   const auto said = [](const std::string& kind, const std::string& tex, const std::string& scene) {
