@@ -95,11 +95,12 @@ struct SlideLayout {
   }
 
   /// LibreOffice counts in kEmuStep, makes a picture a step less wide and high than it says, and puts it a
-  /// step higher: two steps below the upper edge it lies on the slide as it is, to the pixel, and the strip
-  /// that is left has the colour of the paper.
+  /// step higher: a step below the upper edge it lies in the corner of the slide, to the pixel, and the strip
+  /// that is left has the colour of the paper. Nothing may stand out: Poppler rounds the edges of a picture
+  /// outwards, and would stretch it by a pixel.
   Box place(Size picture) const {
     const Emu w = std::llround(picture.width * emu_per_px), h = std::llround(picture.height * emu_per_px);
-    if (fills) return {0, 2 * kEmuStep, width + kEmuStep, height};
+    if (fills) return {0, kEmuStep, width, height};
     const Emu top = title.y + title.height;
     return {(width - w) / 2, top + (height - top - h) / 2, w, h};
   }

@@ -59,6 +59,7 @@ const Work kWorks[] = {
     {"transcript", {"--what", "transcript"}, false},
     {"html", {"--size", "320x240", "--stage", "words", "--deck", "@/deck.html"}, false},
     {"pdf", {"--size", "320x240", "--stage", "words", "--deck", "@/deck.pdf"}, false},
+    {"pptx", {"--size", "320x240", "--stage", "words", "--deck", "@/deck.pptx"}, false},
     {"film",
      {"--what", "figure", "--size", "48x27", "--each", "frame", "--fps", "3", "--seconds", "1", "--stage",
       "rolling", "--film", "@/film.gif"},

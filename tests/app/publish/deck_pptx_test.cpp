@@ -120,6 +120,61 @@ TEST(DeckPptx, WhatAPartRefersToIsThere) {
   EXPECT_GT(checked, 6 * 5) << "of each slide its layout, picture and notes, of these their master and slide";
 }
 
+/// "slideLayout" → the part that it leads to.
+std::multimap<std::string, std::string> relations_of(const Parts& parts, const fs::path& of) {
+  std::multimap<std::string, std::string> all;
+  const auto root = part(parts, of.parent_path() / "_rels" / (of.filename().string() + ".rels"));
+  for (const auto* relation : test::all_named(root, "Relationship"))
+    all.emplace(fs::path(relation->attribute("Type")).filename(),
+                (of.parent_path() / relation->attribute("Target")).lexically_normal());
+  return all;
+}
+
+// By ECMA-376 each master has a theme of its own, and notes lead back to their slide.
+TEST(DeckPptx, SlidesLayoutsMastersAndNotesLeadToEachOther) {
+  const ScratchFolder folder;
+  const Parts parts = parts_of(example_deck(folder));
+  using Pair = std::pair<std::string, std::string>;
+  const std::string master = "ppt/slideMasters/slideMaster1.xml",
+                    layout = "ppt/slideLayouts/slideLayout1.xml",
+                    notes_master = "ppt/notesMasters/notesMaster1.xml";
+  EXPECT_THAT(relations_of(parts, master),
+              ElementsAre(Pair("slideLayout", layout), Pair("theme", "ppt/theme/theme1.xml")));
+  EXPECT_THAT(relations_of(parts, layout), ElementsAre(Pair("slideMaster", master)));
+  EXPECT_THAT(relations_of(parts, notes_master), ElementsAre(Pair("theme", "ppt/theme/theme2.xml")));
+  for (int i = 1; i <= 6; ++i) {
+    const std::string slide = fmt::format("ppt/slides/slide{}.xml", i),
+                      notes = fmt::format("ppt/notesSlides/notesSlide{}.xml", i);
+    EXPECT_THAT(relations_of(parts, slide),
+                ElementsAre(Pair("image", fmt::format("ppt/media/slide{}.png", i)), Pair("notesSlide", notes),
+                            Pair("slideLayout", layout)));
+    EXPECT_THAT(relations_of(parts, notes),
+                ElementsAre(Pair("notesMaster", notes_master), Pair("slide", slide)));
+  }
+}
+
+// The schemas of ECMA-376 have children in one order alone.
+TEST(DeckPptx, ChildrenStandInTheOrderOfTheSchemas) {
+  const ScratchFolder folder;
+  const Parts parts = parts_of(example_deck(folder));
+  const auto children_of = [&](const std::string& name) {
+    std::vector<std::string> names;
+    for (const test::XmlNode& child : part(parts, name).children)
+      if (!child.name.empty()) names.push_back(child.name);
+    return names;
+  };
+  EXPECT_THAT(children_of("ppt/presentation.xml"),
+              ElementsAre("p:sldMasterIdLst", "p:notesMasterIdLst", "p:sldIdLst", "p:sldSz", "p:notesSz",
+                          "p:extLst"));
+  EXPECT_THAT(children_of("ppt/slideMasters/slideMaster1.xml"),
+              ElementsAre("p:cSld", "p:clrMap", "p:sldLayoutIdLst", "p:txStyles"));
+  EXPECT_THAT(children_of("ppt/notesMasters/notesMaster1.xml"),
+              ElementsAre("p:cSld", "p:clrMap", "p:notesStyle"));
+  for (const char* name :
+       {"ppt/slideLayouts/slideLayout1.xml", "ppt/slides/slide1.xml", "ppt/notesSlides/notesSlide1.xml"})
+    EXPECT_THAT(children_of(name), ElementsAre("p:cSld", "p:clrMapOvr"));
+}
+
 TEST(DeckPptx, EverySlideHasItsTitleItsAlternativeTextAndItsNotes) {
   const ScratchFolder folder;
   Deck deck = example_deck(folder);
@@ -138,6 +193,18 @@ TEST(DeckPptx, EverySlideHasItsTitleItsAlternativeTextAndItsNotes) {
     EXPECT_EQ(parts.at(fmt::format("ppt/media/slide{}.png", i)),
               text_of(deck.slides[static_cast<std::size_t>(i - 1)].png));
   }
+}
+
+TEST(DeckPptx, WhatIsToBeSaidStandsOutInTheNotes) {
+  const ScratchFolder folder;
+  Deck deck = example_deck(folder);
+  deck.slides[0].notes = {{StepNote::Kind::to_say, "Slowly."}, {StepNote::Kind::text, "Words"}};
+  const auto notes = part(parts_of(deck), "ppt/notesSlides/notesSlide1.xml");
+  const auto looks = test::all_named(notes, "a:rPr");
+  ASSERT_EQ(looks.size(), 2u);
+  EXPECT_EQ(looks[0]->attribute("b"), "1");
+  EXPECT_EQ(looks[1]->attribute("b"), "");
+  EXPECT_THAT(paragraphs_of(notes), ElementsAre("Slowly.", "Words"));
 }
 
 TEST(DeckPptx, NoTwoTitlesAreAlike) {
@@ -219,9 +286,9 @@ constexpr double kInch = 914400;
 TEST(DeckPptx, PicturesOfOneSizeFillTheirSlides) {
   const ScratchFolder folder;
   Deck deck = example_deck(folder);
-  // 13.333 x 7.5 in, in hundredths of a millimetre, and what LibreOffice takes off.
+  // 13.333 x 7.5 in, in hundredths of a millimetre; LibreOffice puts pictures one of them higher.
   EXPECT_THAT(placing(parts_of(deck), 2).slide, ElementsAre(12191760, 6858000));
-  EXPECT_THAT(placing(parts_of(deck), 2).picture, ElementsAre(0, 720, 12192120, 6858000));
+  EXPECT_THAT(placing(parts_of(deck), 2).picture, ElementsAre(0, 360, 12191760, 6858000));
   deck.dpi = 160;
   EXPECT_THAT(placing(parts_of(deck), 2).slide, ElementsAre(2 * kInch, 1.125 * kInch - 180));
   deck.dpi = 1;  // 320 in would be refused
@@ -281,37 +348,103 @@ double root_mean_square(const Image& a, const Image& b) {
   return std::sqrt(sum / static_cast<double>(a.rgba.size()));
 }
 
+/// What LibreOffice makes of folder/deck.pptx: deck.<ending>, by a profile of its own.
+ProgramRun converted(const ScratchFolder& folder, const std::string& to) {
+  return shell(
+      fmt::format("cd '{0}' && HOME='{0}' timeout 120 soffice -env:UserInstallation=file://'{0}'/profile "
+                  "--headless --convert-to '{1}' deck.pptx",
+                  folder.path().string(), to));
+}
+
+/// Elements of LibreOffice's own format: what it has understood.
+std::vector<test::XmlNode> elements_of(const std::string& document, const std::string& name) {
+  std::vector<test::XmlNode> all;
+  const std::string close = "</" + name + '>';
+  for (std::size_t at = 0; (at = document.find('<' + name + ' ', at)) != std::string::npos;) {
+    const std::size_t end = document.find(close, at) + close.size();
+    all.push_back(test::read_xml(std::string_view(document).substr(at, end - at)));
+    at = end;
+  }
+  return all;
+}
+
+std::vector<std::string> texts_of(const test::XmlNode& root, const char* name) {
+  std::vector<std::string> all;
+  for (const test::XmlNode* element : test::all_named(root, name)) {
+    std::string& text = all.emplace_back();
+    test::for_each_node(*element, [&](const test::XmlNode& node) { text += node.text; });
+  }
+  return all;
+}
+
+/// The frame that has a role in a presentation.
+const test::XmlNode& frame_of(const test::XmlNode& page, const char* role) {
+  for (const test::XmlNode* frame : test::all_named(page, "draw:frame"))
+    if (frame->attribute("presentation:class") == role) return *frame;
+  throw std::runtime_error(std::string("no frame is a ") + role);
+}
+
+TEST(DeckPptx, LibreOfficeUnderstandsTitlesAlternativeTextsAndNotes) {
+  if (!has_program("soffice")) GTEST_SKIP() << "soffice is not installed";
+  const ScratchFolder folder;
+  Deck deck = example_deck(folder);
+  deck.author = "E. Poinsot";
+  deck.language = "de";
+  deck.slides[2].part = deck.slides[1].part;
+  deck.slides[3].alt = "a \"b\" < c & d, ω";
+  deck.slides[4].notes.clear();
+  ASSERT_TRUE(write_deck(folder / "deck.pptx", DeckKind::pptx, deck));
+  const ProgramRun run = converted(folder, "fodp");
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const std::string document = text_of(folder / "deck.fodp");
+  for (const char* fact :
+       {"<dc:title>Examples</dc:title>", "<meta:initial-creator>E. Poinsot</", "<dc:language>de</"})
+    EXPECT_THAT(document, HasSubstr(fact));
+  const std::vector<test::XmlNode> pages = elements_of(document, "draw:page");
+  ASSERT_EQ(pages.size(), deck.slides.size());
+  std::vector<std::string> titles;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    titles.push_back(pages[i].attribute("draw:name"));
+    EXPECT_THAT(texts_of(frame_of(pages[i], "title"), "text:p"), ElementsAre(titles.back()));
+    EXPECT_THAT(texts_of(pages[i], "svg:desc"), ElementsAre(deck.slides[i].alt)) << "of the picture alone";
+    const std::vector<std::string> notes = texts_of(frame_of(pages[i], "notes"), "text:p");
+    if (deck.slides[i].notes.empty())
+      EXPECT_THAT(notes, ElementsAre("This slide has no notes."));
+    else
+      EXPECT_THAT(notes, ElementsAre(deck.slides[i].notes[0].text, deck.slides[i].notes[1].text));
+  }
+  EXPECT_THAT(titles, ElementsAre("Stage 1, step 1 of 3", "Stage 1, step 2 of 3", "Stage 1, step 2 of 3 (2)",
+                                  "Stage 2", "Stage 3, step 1 of 2", "Stage 3, step 2 of 2"));
+}
+
 TEST(DeckPptx, LibreOfficeShowsTheSlides) {
-  for (const char* program : {"soffice", "pdftocairo", "pdfinfo"})
+  for (const char* program : {"soffice", "pdftocairo", "pdftoppm", "pdfinfo"})
     if (!has_program(program)) GTEST_SKIP() << program << " is not installed";
   const ScratchFolder folder;
   const Deck deck = example_deck(folder, {960, 540});
   ASSERT_TRUE(write_deck(folder / "deck.pptx", DeckKind::pptx, deck));
   const std::string at = folder.path().string();
-  // A profile of its own, and pictures as they are: it would pack them anew, as JPEG.
-  const ProgramRun run = shell(fmt::format(
-      "cd '{0}' && HOME='{0}' timeout 120 soffice -env:UserInstallation=file://'{0}'/profile --headless "
-      "--convert-to "
-      "'pdf:impress_pdf_Export:{{\"UseLosslessCompression\":{{\"type\":\"boolean\",\"value\":\"true\"}},"
-      "\"ReduceImageResolution\":{{\"type\":\"boolean\",\"value\":\"false\"}}}}' deck.pptx",
-      at));
+  // Pictures as they are: it would pack them anew, as JPEG.
+  const ProgramRun run = converted(
+      folder,
+      "pdf:impress_pdf_Export:{\"UseLosslessCompression\":{\"type\":\"boolean\",\"value\":\"true\"},"
+      "\"ReduceImageResolution\":{\"type\":\"boolean\",\"value\":\"false\"}}");
   ASSERT_EQ(run.code, 0) << run.out << run.err;
   EXPECT_THAT(shell(fmt::format("pdfinfo '{}/deck.pdf'", at)).out, HasSubstr("Pages:           6\n"));
-  for (const int page : {1, 4, 6}) {
-    // 960 px are 13.333 in. Not by pdftoppm, which rounds the edges of pictures outwards, and so stretches
-    // them.
-    ASSERT_EQ(shell(fmt::format("pdftocairo -r 72 -f {0} -l {0} -png -singlefile '{1}/deck.pdf' '{1}/page'",
-                                page, at))
-                  .code,
-              0);
-    const auto shown = read_png(folder / "page.png");
-    ASSERT_TRUE(shown) << shown.error();
-    constexpr double kLevels = 2;
-    EXPECT_LE(
-        root_mean_square(shown->image, read_png(deck.slides[static_cast<std::size_t>(page - 1)].png)->image),
-        kLevels)
-        << page;
-  }
+  for (const char* program : {"pdftocairo", "pdftoppm"})
+    for (const int page : {1, 4, 6}) {
+      SCOPED_TRACE(fmt::format("page {} by {}", page, program));
+      // 960 px are 13.333 in.
+      ASSERT_EQ(shell(fmt::format("{0} -r 72 -f {1} -l {1} -png -singlefile '{2}/deck.pdf' '{2}/page'",
+                                  program, page, at))
+                    .code,
+                0);
+      const auto shown = read_png(folder / "page.png");
+      ASSERT_TRUE(shown) << shown.error();
+      constexpr double kLevels = 2;
+      const DeckSlide& slide = deck.slides[static_cast<std::size_t>(page - 1)];
+      EXPECT_LE(root_mean_square(shown->image, read_png(slide.png)->image), kLevels);
+    }
 }
 
 }  // namespace
