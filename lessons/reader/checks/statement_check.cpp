@@ -376,20 +376,26 @@ void StatementCheck::check_typed_numbers(const RichText& text, const Motions& al
       const auto is_so_on = [&](const std::vector<ShownMotion>& some) {
         return is_number_of(*typed, *said, some, effort_, *relation, said_of(standing, when), standing.at_s);
       };
-      auto is_of_said = said ? is_so_on(motions()) : std::nullopt;
-      if (is_of_said && is_of_each)
-        for (const ShownMotion& one : motions()) is_of_said = *is_of_said && is_so_on({one}).value_or(true);
-      if (is_named_alone && !said && is_spin(clause))
-        is_of_said = is_some_spin(*typed, lesson_, motions(), effort_, said_of(standing, when));
-      // "1 rpm is 0.105 rad/s": arithmetic.
       const auto is_conversion = is_of_other_unit(spans, i, *typed);
-      if (is_conversion) is_of_said = is_conversion;
+      const auto is_so_of_said = [&]() -> std::optional<bool> {
+        if (is_conversion) return is_conversion;
+        if (is_named_alone && !said && is_spin(clause))
+          return is_some_spin(*typed, lesson_, motions(), effort_, said_of(standing, when));
+        if (!said) return std::nullopt;
+        const std::vector<ShownMotion> all = motions();
+        const auto is_so = is_so_on(all);
+        if (!is_so || !is_of_each) return is_so;
+        return std::all_of(all.begin(), all.end(),
+                           [&](const ShownMotion& one) { return is_so_on({one}).value_or(true); });
+      };
+      const std::optional<bool> is_of_said = is_so_of_said();
       const auto is_known = [&](const TypedNumber& number) {
         const auto on = [&](const std::vector<ShownMotion>& some) {
           return is_known_number(number, lesson_, some, effort_, standing.at_s);
         };
         const std::vector<ShownMotion> all = motions();
-        return is_of_each && !all.empty()
+        // "The middle one, at 42 rad/s" below three pictures is of one of them, however it is called.
+        return sentences.speaks_of_each(i) && !all.empty()
                    ? std::all_of(all.begin(), all.end(), [&](const ShownMotion& one) { return on({one}); })
                    : on(all);
       };

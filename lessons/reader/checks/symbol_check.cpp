@@ -141,8 +141,10 @@ std::string without_alphabets(std::string tex) {
 
 /// A formula as an expression; nothing if that is nothing known, or each of three, as \omega_i.
 std::optional<std::string> meaning_of(const Math& math, const EquationNotation& notation) {
-  const auto read = read_side_of_claim(math, notation);
-  return read ? std::optional(read->text) : std::nullopt;
+  if (const auto read = read_side_of_claim(math, notation)) return read->text;
+  // A tensor is no side of a claim, but known.
+  const auto whole = read_one_side(math, notation);
+  return whole || !whole.error().of_kinds ? std::nullopt : std::optional<std::string>("a tensor");
 }
 
 /// What a symbol's TeX is without the lesson's symbols.

@@ -55,9 +55,14 @@ class PlainToml {
   /// Goes on by one of a string or a comment; false where it may not stand there.
   bool character() {
     const auto byte = static_cast<unsigned char>(text_[at_]);
-    if (byte < 0x80) return ++at_, byte == '\t' || (byte >= 0x20 && byte != 0x7F);
+    if (byte < 0x80) {
+      if (byte != '\t' && (byte < 0x20 || byte == 0x7F)) return false;
+      return ++at_, true;
+    }
     const std::size_t begin = at_;
-    if (next_character(text_, at_) == kMalformed) return false;
+    std::size_t behind = at_;
+    if (next_character(text_, behind) == kMalformed) return false;
+    at_ = behind;
     inside_ += at_ - begin - 1;
     return true;
   }
