@@ -26,8 +26,7 @@ bool is_forbidden_control(std::string_view bytes, std::size_t i) {
 
 SourceText::SourceText(std::string_view text) : text_(text), begins_{0} {
   begins_.reserve(1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (text[i] == '\n') begins_.push_back(i + 1);
+  for (std::size_t end = 0; (end = text.find('\n', end)) != text.npos;) begins_.push_back(++end);
 }
 
 std::string_view SourceText::line(int line) const { return lines(line, line); }

@@ -15,15 +15,15 @@ using Kind = MathNode::Kind;
 using ItemKind = TexItem::Kind;
 using Items = TexTerms::Items;
 
-}  // namespace
-
-Result<Expression, UnreadableEquation> read_one_side(const Math& math, const EquationNotation& notation) {
+/// `is_computed`: it may hold what no proof has (TexTerms::has_pi).
+Result<Expression, UnreadableEquation> side_of(const Math& math, const EquationNotation& notation,
+                                               bool is_computed) {
   if (!math.root) return Failure<UnreadableEquation>{{{}, "there is no formula here", ""}};
   if (!math.live.empty()) return Failure<UnreadableEquation>{{{}, "a computed number stands in it", ""}};
   try {
     check_is_seen(*math.root);
     TexTerms terms(math, notation);
-    terms.has_pi = true;
+    terms.has_pi = is_computed;
     terms.any_inertia = has_tensor_component(*math.root);
     const TexItems items = items_of(*math.root, kMaxEquationNesting);
     const TexValue value = terms.side(items);
@@ -37,9 +37,22 @@ Result<Expression, UnreadableEquation> read_one_side(const Math& math, const Equ
   }
 }
 
-std::optional<Expression> read_side(const Math& math, const EquationNotation& notation) {
-  auto read = read_one_side(math, notation);
+std::optional<Expression> if_read(Result<Expression, UnreadableEquation> read) {
   return read ? std::optional(std::move(*read)) : std::nullopt;
+}
+
+}  // namespace
+
+Result<Expression, UnreadableEquation> read_one_side(const Math& math, const EquationNotation& notation) {
+  return side_of(math, notation, true);
+}
+
+std::optional<Expression> read_side(const Math& math, const EquationNotation& notation) {
+  return if_read(side_of(math, notation, true));
+}
+
+std::optional<Expression> read_side_of_claim(const Math& math, const EquationNotation& notation) {
+  return if_read(side_of(math, notation, false));
 }
 
 std::optional<TypedNumber> read_typed(const Math& math) {

@@ -21,7 +21,9 @@ struct TypedNumber {
 
 /// A formula that is one side alone, as an expression; nothing if it cannot be read, or shows a number.
 std::optional<Expression> read_side(const Math& math, const EquationNotation& notation);
-/// The same, and why it cannot be read.
+/// The same as claims read a side: π is no number, and ω without an arrow is not the length of ω.
+std::optional<Expression> read_side_of_claim(const Math& math, const EquationNotation& notation);
+/// The same as read_side, and why it cannot be read.
 Result<Expression, UnreadableEquation> read_one_side(const Math& math, const EquationNotation& notation);
 
 /// The number that a formula is, and nothing else.

@@ -269,6 +269,7 @@ class StatementReader {
         return side;
       }
     if (items.size() == 1 && is_symbol(items.front(), U't') && is_plain(items.front())) return side;
+    if (auto then = side_of_a_moment(items)) return then;
     if (says_constant(items)) {
       side.is_constant = true;
       return side;
@@ -295,6 +296,42 @@ class StatementReader {
       note_what_is_not_read(items);
       return std::nullopt;
     }
+  }
+
+  /// "2\,T(0)", "|\vec L(0)|": a side whose every quantity is of one time, which stands behind each.
+  std::optional<Side> side_of_a_moment(Items items) {
+    Side side;
+    side.span = span_of(items, {});
+    TexItems bare;
+    if (!take_moments(items, bare, side.at_s) || !side.at_s) return std::nullopt;
+    bare.clear();  // what stands before the first time is of it, too
+    if (!take_moments(items, bare, side.at_s)) return std::nullopt;
+    try {
+      side.value = terms_.side(bare);
+      return side.value->is_tensor() ? std::nullopt : std::optional(std::move(side));
+    } catch (const TexFault&) {
+      return std::nullopt;
+    }
+  }
+
+  /// Whether what changes is of one time; `bare` is what stands there without that.
+  bool take_moments(Items items, TexItems& bare, std::optional<double>& at_s) {
+    const auto is_moment = [](const TexItem& item) { return moment_in(item).has_value(); };
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      TexItem item = items[i];
+      const bool is_of_time = i + 1 < items.size() && is_moment(items[i + 1]);
+      if (item.kind == ItemKind::group && !item.inside.empty()) {
+        item.inside.clear();
+        if (!take_moments(items[i].inside, item.inside, at_s)) return false;
+      } else if (item.kind == ItemKind::operand && (is_of_time || at_s) &&
+                 value_before(items.subspan(i, 1))) {
+        const auto moment = is_of_time ? moment_in(items[++i]) : std::nullopt;
+        if (!moment || !moment->at_s || *moment->at_s != at_s.value_or(*moment->at_s)) return false;
+        at_s = moment->at_s;
+      }
+      bare.push_back(std::move(item));
+    }
+    return true;
   }
 
   /// "T_0", where the lesson has no such symbol: T as the motion begins.

@@ -70,6 +70,20 @@ bool are_within(const Given& given, const ClaimState<SizedNumber>& state) {
                      [&](const Bound& bound) { return holds_in(bound, state, kZero, false); });
 }
 
+/// A possible body, and what it does, by doubles.
+struct RealState {
+  StateNumbers<SizedNumber> numbers;
+  ClaimState<SizedNumber> state;
+};
+/// Nothing where no such body is possible, or what is given does not hold.
+std::optional<RealState> real_state_of(const WholeNumbers& whole, LawsAssumed laws, const Given& given) {
+  auto numbers = with_given(as<SizedNumber>(whole), given);
+  if (!numbers || !is_possible_body(numbers->I)) return std::nullopt;
+  auto state = state_of(*numbers, laws, given);
+  if (!state || !are_within(given, *state)) return std::nullopt;
+  return RealState{std::move(*numbers), std::move(*state)};
+}
+
 bool is_finite(const StateNumbers<SizedNumber>& numbers) {
   const auto all_finite = [](const std::array<SizedNumber, 3>& three) {
     return std::all_of(three.begin(), three.end(),
@@ -117,11 +131,9 @@ std::optional<Counterexample> first_whole_number_state(const Equality& equality,
   const auto look_at = [&](const WholeNumbers& numbers) {
     if (work_left < work) return true;
     work_left -= work;
-    const auto real_numbers = with_given(as<SizedNumber>(numbers), given);
-    if (!real_numbers || !is_possible_body(real_numbers->I)) return false;
-    const auto real = state_of(*real_numbers, laws, given);
-    if (!real || !are_within(given, *real) || (premise && !seems_to_hold(*premise, *real))) return false;
-    const std::optional<Sides> sides = sides_of(equality, *real);
+    const auto real = real_state_of(numbers, laws, given);
+    if (!real || (premise && !seems_to_hold(*premise, real->state))) return false;
+    const std::optional<Sides> sides = sides_of(equality, real->state);
     const bool is_found = sides && seems_to_fail(relation, *sides);
     if (!is_found && (tried == nullptr || !sides)) return false;
     // In a field a state costs far more, and where doubles see no difference it says nothing new.
@@ -130,9 +142,9 @@ std::optional<Counterexample> first_whole_number_state(const Equality& equality,
     if (!exact || (premise && agree(*premise, *exact) != std::optional(true))) return false;
     if (tried != nullptr) ++*tried;
     if (!is_found || agree(equality, *exact) != std::optional(sides->residual < kZero)) return false;
-    StateText state = text_of(*real_numbers, *real, depends, {});
+    StateText state = text_of(real->numbers, real->state, depends, {});
     found = Counterexample{std::move(state.plain), value_text(sides->left, equality.left.type()),
-                           value_text(sides->right, equality.right.type()), body_of(*real_numbers, depends),
+                           value_text(sides->right, equality.right.type()), body_of(real->numbers, depends),
                            std::move(state.tex)};
     return true;
   };
@@ -156,10 +168,8 @@ std::optional<Counterexample> first_state_in_series(const Equality& equality, La
   const auto look_at = [&](const WholeNumbers& numbers) {
     if (work_left < work) return true;
     work_left -= work;
-    const auto real_numbers = with_given(as<SizedNumber>(numbers), given);
-    if (!real_numbers || !is_possible_body(real_numbers->I)) return false;
-    const auto real = state_of(*real_numbers, laws, given);
-    if (!real || !are_within(given, *real)) return false;
+    const auto real = real_state_of(numbers, laws, given);
+    if (!real) return false;
     const auto sides = expanded_sides(equality, as<FieldElement>(numbers), laws, given);
     if (!sides || !compare_to_order(*sides, given.small.order).differ_at) return false;
     try {
@@ -167,7 +177,7 @@ std::optional<Counterexample> first_state_in_series(const Equality& equality, La
       const auto at = exact ? compare_to_order(*exact, given.small.order).differ_at : std::nullopt;
       if (!at) return false;
       differ_at = *at;
-      StateText state = text_of(*real_numbers, *real, depends, given.small);
+      StateText state = text_of(real->numbers, real->state, depends, given.small);
       found = Counterexample{std::move(state.plain),
                              text_of(exact->left, equality.left.type(), *at),
                              text_of(exact->right, equality.right.type(), *at),

@@ -265,9 +265,10 @@ class ClaimCheck {
       const bool is_shared = shown.size() > 1 && std::all_of(shown.begin(), shown.end(), is_same);
       const StatementCheck::Motions motions =
           is_shared ? StatementCheck::Motions([&] { return motions_of(step); }) : motion;
-      if (i == 0 || !is_shared) {  // one that stands once below all may speak of each
-        statement_check_.check_text(*caption, motions, when);
-        statement_check_.check_typed_numbers(*caption, motions, when);
+      if (i == 0 || !is_shared) {  // one that stands once below all is so of each, or says of which
+        const SaidOfMotions of = is_shared ? SaidOfMotions::each : SaidOfMotions::one;
+        statement_check_.check_text(*caption, motions, when, of);
+        statement_check_.check_typed_numbers(*caption, motions, when, of);
       }
       if (is_always) check_values_always(*caption, motion);
       if (!number_check_.has_typed_numbers(*caption)) continue;

@@ -3,6 +3,7 @@
 
 #include "base/ascii.h"
 #include "base/numbers.h"
+#include "lessons/claims/answers/typed_unit.h"
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/claims/live_claims.h"
 #include "lessons/reader/checks/formula_signs.h"
@@ -119,11 +120,11 @@ void StatementCheck::begin_stage(const Stage& stage) {
         if (claim->kind != ClaimKind::is_false) claimed_.push_back(&line);
 }
 
-void StatementCheck::check_text(const RichText& text, const Motions& motions, SaidOf when) {
-  check_lines(text, motions, false, when);
+void StatementCheck::check_text(const RichText& text, const Motions& motions, SaidOf when, SaidOfMotions of) {
+  check_lines(text, motions, false, when, of);
 }
 void StatementCheck::check_choice(const RichText& text, const Motions& motions) {
-  check_lines(text, motions, true, SaidOf::some_time);
+  check_lines(text, motions, true, SaidOf::some_time, SaidOfMotions::one);
 }
 
 namespace {
@@ -202,7 +203,7 @@ void StatementCheck::check_whose(const RichText& text, const std::vector<ShownMo
 }
 
 void StatementCheck::check_lines(const RichText& text, const Motions& all_motions, bool is_choice,
-                                 SaidOf when) {
+                                 SaidOf when, SaidOfMotions of) {
   for_each_line(text, lesson_, [&](const std::vector<TextSpan>& spans) {
     const auto is_formula = [](const TextSpan& span) { return span.kind == TextSpan::Kind::math; };
     if (std::none_of(spans.begin(), spans.end(), is_formula)) return;
@@ -217,8 +218,12 @@ void StatementCheck::check_lines(const RichText& text, const Motions& all_motion
       check_scripts(spans[i].math, spans[i].source.begin);
       // "$\\vec\\omega = (0, 2, 0)$" chosen is a state.
       if (is_choice && spans.size() == 1 && !sentences.stated(i).components.empty()) continue;
-      const Context context{standing, spans[i].text, spans[i].source.begin,
-                            goes_on ? unit_behind(spans[i + 1].text) : "", said_when};
+      const Context context{standing,
+                            spans[i].text,
+                            spans[i].source.begin,
+                            goes_on ? unit_behind(spans[i + 1].text) : "",
+                            said_when,
+                            of == SaidOfMotions::each || sentences.speaks_of_each(i)};
       check(sentences.stated(i), context, motions);
       if (!standing.is_stated) continue;
       for (const StatedLink& said : said_of_formula(spans, i, lesson_)) check(said, context, motions);
@@ -250,6 +255,53 @@ std::optional<Relation> take_verb_behind_unit(std::vector<TextSpan>& clause) {
     clause.front().text = text.substr(end);
   }
   return std::nullopt;
+}
+
+/// Whether "1 rpm is" before a number says the same in another unit; nothing where no such thing stands
+/// there.
+std::optional<bool> is_of_other_unit(const std::vector<TextSpan>& spans, std::size_t at,
+                                     const TypedNumber& typed) {
+  std::vector<TextSpan> clause = clause_before(spans, at);
+  const auto relation = take_verb(clause);
+  if (!relation) return std::nullopt;
+  std::string words;
+  for (const TextSpan& span : clause) words += span.text;
+  const std::string_view all = without_blanks(words);
+  const std::size_t end = std::min(all.find(' '), all.size());
+  const auto number = parse_number(all.substr(0, end));
+  if (end == all.size() || typed.unit.empty()) return std::nullopt;
+  const auto unit = typed_unit(without_blanks(all.substr(end))), other = typed_unit(typed.unit);
+  if (!number || !unit || !other || unit->scaled.dimension != other->scaled.dimension) return std::nullopt;
+  const double value = *number * unit->scaled.size / other->scaled.size;
+  return std::abs(value - typed.value) <= rounded_off(typed, *relation);
+}
+
+/// What part of something a sentence speaks of: 0.5 of "half the spin"; 1 where it says none.
+double part_said_in(const std::string& words) {
+  constexpr std::array<std::pair<std::string_view, double>, 5> kParts{
+      {{"half", 0.5}, {"twice", 2}, {"double", 2}, {"a third", 1 / 3.0}, {"a quarter", 0.25}}};
+  const auto found = std::ranges::find_if(kParts, [&](const auto& one) {
+    return (' ' + words + ' ').find(' ' + std::string(one.first) + ' ') != std::string::npos;
+  });
+  return found == kParts.end() ? 1 : found->second;
+}
+
+/// "Spin 200 rad/s" leaves open about which axis.
+bool is_spin(const std::vector<TextSpan>& clause) {
+  return clause.size() == 1 && in_small_letters(std::string(without_blanks(clause.front().text))) == "spin";
+}
+std::optional<bool> is_some_spin(const TypedNumber& number, const Lesson& lesson,
+                                 const std::vector<ShownMotion>& motions, const Effort& effort, SaidOf when) {
+  std::optional<bool> is_some;
+  for (const char* name : {"spin about axis 1", "spin about axis 2", "spin about axis 3", "angular speed"}) {
+    TextSpan words;
+    words.text = name;
+    const auto spin = quantity_said({words}, lesson);
+    const auto is_this =
+        spin ? is_number_of(number, *spin, motions, effort, Relation::equal, when) : std::nullopt;
+    if (is_this) is_some = is_some.value_or(false) || *is_this;
+  }
+  return is_some;
 }
 
 }  // namespace
@@ -290,7 +342,8 @@ bool StatementCheck::check_range(const std::vector<TextSpan>& spans, std::size_t
   return true;
 }
 
-void StatementCheck::check_typed_numbers(const RichText& text, const Motions& all_motions, SaidOf when) {
+void StatementCheck::check_typed_numbers(const RichText& text, const Motions& all_motions, SaidOf when,
+                                         SaidOfMotions of) {
   for_each_line(text, lesson_, [&](const std::vector<TextSpan>& line) {
     const std::vector<TextSpan> spans = with_numbers_apart(line);
     const Sentences sentences(spans, lesson_.notation);
@@ -312,19 +365,52 @@ void StatementCheck::check_typed_numbers(const RichText& text, const Motions& al
           has_words(clause) || (!clause.empty() && clause.front().kind == TextSpan::Kind::math);
       const bool is_joined = relation && has_subject;
       auto said = is_joined ? quantity_said_at_end(clause, lesson_) : std::nullopt;
+      // "Tilt 60°": a name and its number, as captions have them.
+      const bool is_named_alone = !relation && !typed->unit.empty() && has_words(clause);
+      if (is_named_alone && (said = quantity_said(clause, lesson_))) relation = Relation::equal;
       std::vector<TextSpan> behind = clause_behind(spans, i);
       if (!said && (relation = take_verb_behind_unit(behind))) said = quantity_said(behind, lesson_);
       const Motions motions = motions_meant(sentences, i, all_motions);
       const Standing standing = sentences.standing_of(i);
-      const auto is_of_said =
-          said ? is_number_of(*typed, *said, motions(), effort_, *relation, said_of(standing, when))
-               : std::nullopt;
-      if (is_of_said ? *is_of_said : is_known_number(*typed, lesson_, motions(), effort_)) continue;
+      const bool is_of_each = of == SaidOfMotions::each || sentences.speaks_of_each(i);
+      const auto is_so_on = [&](const std::vector<ShownMotion>& some) {
+        return is_number_of(*typed, *said, some, effort_, *relation, said_of(standing, when), standing.at_s);
+      };
+      const auto is_conversion = is_of_other_unit(spans, i, *typed);
+      const auto is_so_of_said = [&]() -> std::optional<bool> {
+        if (is_conversion) return is_conversion;
+        if (is_named_alone && !said && is_spin(clause))
+          return is_some_spin(*typed, lesson_, motions(), effort_, said_of(standing, when));
+        if (!said) return std::nullopt;
+        const std::vector<ShownMotion> all = motions();
+        const auto is_so = is_so_on(all);
+        if (!is_so || !is_of_each) return is_so;
+        return std::all_of(all.begin(), all.end(),
+                           [&](const ShownMotion& one) { return is_so_on({one}).value_or(true); });
+      };
+      const std::optional<bool> is_of_said = is_so_of_said();
+      const auto is_known = [&](const TypedNumber& number) {
+        const auto on = [&](const std::vector<ShownMotion>& some) {
+          return is_known_number(number, lesson_, some, effort_, standing.at_s);
+        };
+        const std::vector<ShownMotion> all = motions();
+        // "The middle one, at 42 rad/s" below three pictures is of one of them, however it is called.
+        return sentences.speaks_of_each(i) && !all.empty()
+                   ? std::all_of(all.begin(), all.end(), [&](const ShownMotion& one) { return on({one}); })
+                   : on(all);
+      };
+      if (is_of_said ? *is_of_said : is_known(*typed)) continue;
+      // "With half the spin, 100 rad/s": so much of what the motion has.
+      const double part = part_said_in(standing.words);
+      if (!is_of_said && part != 1 && is_known({typed->value / part, typed->last_digit / part, typed->unit}))
+        continue;
       // "A coin of 5 g" is not the body that is shown.
       if (!standing.is_stated || (standing.has_kind_of_body && !is_of_said)) continue;
       refuse_number(*typed, spans[i].source.begin,
-                    is_of_said ? "this number is not that of " + said->text + ", which is said of it"
-                               : "nobody computes this number with its unit, " + in_quotes(typed->unit));
+                    is_conversion ? "this number is not that of the other unit before it"
+                    : is_of_said  ? "this number is not that of " + (said ? said->text : "the spin") +
+                                       ", which is said of it"
+                                 : "nobody computes this number with its unit, " + in_quotes(typed->unit));
     }
   });
   for (const TextBlock& block : text)
@@ -568,58 +654,64 @@ bool are_zero(const std::vector<StatedLink>& links, const SceneModel& model, dou
 
 std::string StatementCheck::why_not(const std::vector<StatedLink>& links, const Context& context,
                                     const std::vector<ShownMotion>& motions) const {
+  std::string first;
+  for (const ShownMotion& motion : motions) {
+    std::string why = why_not(links, context, motion);
+    if (why.empty() && !context.is_of_each) return "";
+    if (first.empty()) first = std::move(why);
+  }
+  return first;
+}
+
+std::string StatementCheck::why_not(const std::vector<StatedLink>& links, const Context& context,
+                                    const ShownMotion& motion) const {
   const Standing& standing = context.standing;
   // What does not change, and what is nowhere so, is told at several times of the motion.
   const auto is_of_all = [](const StatedLink& link) { return link.is_of_all_times; };
   const bool is_constant = std::any_of(links.begin(), links.end(), is_of_all),
              is_of_all_times = is_constant || context.when != SaidOf::some_time;
-  std::string first;
-  for (const ShownMotion& motion : motions) {
-    std::vector<double> times_s =
-        polhode::times_of(motion, is_of_all_times ? SaidOf::all_times : SaidOf::some_time);
-    if (standing.at_s) times_s = {*standing.at_s};
-    if (is_constant) times_s = {motion.still_s, 0.37 * motion.model.span_s, 0.81 * motion.model.span_s};
-    std::string of_motion;
-    bool is_so = is_of_all_times;
-    const auto why_at = [&](double t_s) -> std::optional<std::string> {  // nothing: it cannot be told
-      const auto live = live_state(motion.model, t_s);
-      if (!live) return std::nullopt;
-      std::string why;
-      for (const StatedLink& link : links)
-        if (why.empty())
-          why = link.is_of_a_time() || link.is_in_words ? why_not(link, motion, t_s) : why_not(link, *live);
-      return why;
-    };
-    // 0 = 0 tells nothing where the sides are apart at other times; but what is said of a moment is so then.
-    const auto why_later = [&](double t_s) -> std::string {
-      if (standing.at_s || standing.is_of_moment) return "";
-      for (const double part : {0.37, 0.81}) {
-        const double later_s = part * motion.model.span_s;
-        if (const auto why = why_at(later_s);
-            why && !why->empty() && are_zero(links, motion.model, t_s, later_s))
-          return "at t = " + digits(later_s, 3) + " s " + *why;
-      }
-      return "";
-    };
-    if (context.when == SaidOf::start_or_all_times && !is_constant && why_at(0) == "" && why_later(0).empty())
-      return "";
-    for (const double t_s : times_s) {
-      const auto why = why_at(t_s);
-      if (!why) continue;
-      if (why->empty() && !is_of_all_times) {
-        const std::string later = why_later(t_s);
-        if (later.empty()) return "";
-        if (of_motion.empty()) of_motion = later;
-        continue;
-      }
-      if (why->empty()) continue;
-      is_so = false;
-      if (of_motion.empty()) of_motion = "at t = " + digits(t_s, 3) + " s " + *why;
+  std::vector<double> times_s =
+      polhode::times_of(motion, is_of_all_times ? SaidOf::all_times : SaidOf::some_time);
+  if (standing.at_s) times_s = {*standing.at_s};
+  if (is_constant) times_s = {motion.still_s, 0.37 * motion.model.span_s, 0.81 * motion.model.span_s};
+  std::string of_motion;
+  bool is_so = is_of_all_times;
+  const auto why_at = [&](double t_s) -> std::optional<std::string> {  // nothing: it cannot be told
+    const auto live = live_state(motion.model, t_s);
+    if (!live) return std::nullopt;
+    std::string why;
+    for (const StatedLink& link : links)
+      if (why.empty())
+        why = link.is_of_a_time() || link.is_in_words ? why_not(link, motion, t_s) : why_not(link, *live);
+    return why;
+  };
+  // 0 = 0 tells nothing where the sides are apart at other times; but what is said of a moment is so then.
+  const auto why_later = [&](double t_s) -> std::string {
+    if (standing.at_s || standing.is_of_moment) return "";
+    for (const double part : {0.37, 0.81}) {
+      const double later_s = part * motion.model.span_s;
+      if (const auto why = why_at(later_s);
+          why && !why->empty() && are_zero(links, motion.model, t_s, later_s))
+        return "at t = " + digits(later_s, 3) + " s " + *why;
     }
-    if (is_so) return "";
-    if (first.empty()) first = of_motion;
+    return "";
+  };
+  if (context.when == SaidOf::start_or_all_times && !is_constant && why_at(0) == "" && why_later(0).empty())
+    return "";
+  for (const double t_s : times_s) {
+    const auto why = why_at(t_s);
+    if (!why) continue;
+    if (why->empty() && !is_of_all_times) {
+      const std::string later = why_later(t_s);
+      if (later.empty()) return "";
+      if (of_motion.empty()) of_motion = later;
+      continue;
+    }
+    if (why->empty()) continue;
+    is_so = false;
+    if (of_motion.empty()) of_motion = "at t = " + digits(t_s, 3) + " s " + *why;
   }
-  return first;
+  return is_so ? "" : of_motion;
 }
 
 void StatementCheck::refuse(const StatedLink& link, const Context& context, const std::string& why,

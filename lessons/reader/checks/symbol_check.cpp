@@ -108,16 +108,52 @@ bool is_quantity(const std::string& name) {
   return std::find(known.begin(), known.end(), name) != known.end();
 }
 
-/// What a formula is without the lesson's symbols, as an expression; nothing if that is nothing known.
-std::optional<std::string> built_in_meaning(const std::string& tex, const FrontMatter& front,
+/// Upright or slanted, wide or narrow: nobody tells them apart.
+std::string without_alphabets(std::string tex) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kLooksAlike{{
+      {"\\overrightarrow", "\\vec"},
+      {"\\mathnormal", ""},
+      {"\\textnormal", ""},
+      {"\\mathit", ""},
+      {"\\mathrm", ""},
+      {"\\mathup", ""},
+      {"\\symup", ""},
+      {"\\symit", ""},
+      {"\\textit", ""},
+      {"\\textrm", ""},
+      {"\\emph", ""},
+      {"\\mbox", ""},
+      {"\\text", ""},
+      {"\\wide", "\\"},
+  }};
+  for (const auto& [other, usual] : kLooksAlike)
+    for (std::size_t at = 0; (at = tex.find(other, at)) != tex.npos; at += usual.size()) {
+      const std::size_t end = at + other.size();
+      const bool is_whole =
+          other == "\\wide" || end == tex.size() || !std::isalpha(static_cast<unsigned char>(tex[end]));
+      if (is_whole)
+        tex.replace(at, other.size(), usual);
+      else
+        ++at;
+    }
+  return tex;
+}
+
+/// A formula as an expression; nothing if that is nothing known, or each of three, as \omega_i.
+std::optional<std::string> meaning_of(const Math& math, const EquationNotation& notation) {
+  if (const auto read = read_side_of_claim(math, notation)) return read->text;
+  // A tensor is no side of a claim, but known.
+  const auto whole = read_one_side(math, notation);
+  return whole || !whole.error().of_kinds ? std::nullopt : std::optional<std::string>("a tensor");
+}
+
+/// What a symbol's TeX is without the lesson's symbols.
+std::optional<std::string> built_in_meaning(const Symbol& symbol, const EquationNotation& built_in,
                                             TextReader& texts) {
-  EquationNotation built_in;
-  built_in.xyz_are_body_axes = front.notation.xyz_are_body_axes;
-  const auto math = parse_math(tex + " = " + tex, texts.macros());
-  if (!math) return std::nullopt;
-  const auto read = read_equation(*math, built_in);
-  if (!read || read->sentences.size() != 1) return std::nullopt;  // \omega_i is each of three
-  return read->sentences.front().links.front().equality.left.text;
+  const std::string tex = without_alphabets(symbol.tex);
+  if (tex == symbol.tex) return meaning_of(symbol.math, built_in);
+  const auto math = parse_math(tex, texts.macros());
+  return math ? meaning_of(*math, built_in) : std::nullopt;
 }
 
 /// Latin, Greek and script letters: what else stands in formulas has a meaning there.
@@ -215,50 +251,16 @@ bool is_plain_symbol(const MathNode& node, bool is_index = false) {
 }
 
 /// What a symbol's TeX would be read as by the other symbols of the lesson; nothing if by none.
-std::optional<std::string> meaning_by_others(const std::string& name, const std::string& tex,
-                                             FrontMatter& front, TextReader& texts) {
-  const auto math = parse_math(tex + " = " + tex, texts.macros());
-  if (!math) return std::nullopt;
+std::optional<std::string> meaning_by_others(const std::string& name, const Symbol& symbol,
+                                             FrontMatter& front) {
   // A symbol without a formula is found in none.
   std::vector<EquationSymbol>& symbols = front.notation.symbols;
   const auto own =
       std::find_if(symbols.begin(), symbols.end(), [&](const EquationSymbol& s) { return s.name == name; });
   Math kept = own == symbols.end() ? Math() : std::exchange(own->math, Math());
-  const auto read = read_equation(*math, front.notation);
+  auto meaning = meaning_of(symbol.math, front.notation);
   if (own != symbols.end()) own->math = std::move(kept);
-  if (!read || read->sentences.size() != 1) return std::nullopt;  // \omega_i is each of three
-  return read->sentences.front().links.front().equality.left.text;
-}
-
-/// Upright or slanted, wide or narrow: nobody tells them apart.
-std::string without_alphabets(std::string tex) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kLooksAlike{{
-      {"\\overrightarrow", "\\vec"},
-      {"\\mathnormal", ""},
-      {"\\textnormal", ""},
-      {"\\mathit", ""},
-      {"\\mathrm", ""},
-      {"\\mathup", ""},
-      {"\\symup", ""},
-      {"\\symit", ""},
-      {"\\textit", ""},
-      {"\\textrm", ""},
-      {"\\emph", ""},
-      {"\\mbox", ""},
-      {"\\text", ""},
-      {"\\wide", "\\"},
-  }};
-  for (const auto& [other, usual] : kLooksAlike)
-    for (std::size_t at = 0; (at = tex.find(other, at)) != tex.npos; at += usual.size()) {
-      const std::size_t end = at + other.size();
-      const bool is_whole =
-          other == "\\wide" || end == tex.size() || !std::isalpha(static_cast<unsigned char>(tex[end]));
-      if (is_whole)
-        tex.replace(at, other.size(), usual);
-      else
-        ++at;
-    }
-  return tex;
+  return meaning;
 }
 
 /// Whether an arrow stands above all of it, as above a vector.
@@ -392,6 +394,8 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
   for (const auto& [name, symbol] : front.symbols) ++alike[key_of(symbol.tex)];
   const auto has_twin = [&](const std::string& tex) { return alike[tex] > 1; };
   std::optional<Prover> prover;  // of vectors with a hat
+  EquationNotation built_in;
+  built_in.xyz_are_body_axes = front.notation.xyz_are_body_axes;
   std::map<std::string, std::string> names;
   for (const Vocabulary::Word& word : front.notation.vocabulary.words())
     if (word.tex.empty()) names.emplace(key_of(word.name), word.name);  // as it is printed
@@ -403,7 +407,7 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
     const auto refuse = [&](const std::string& why, const std::string& hint) {
       texts.report().error(entry.place, "symbol " + in_quotes(entry.key) + ' ' + why, hint);
     };
-    const auto known = built_in_meaning(without_alphabets(symbol.tex), front, texts);
+    const auto known = built_in_meaning(symbol, built_in, texts);
     const std::string tex = key_of(symbol.tex);
     const auto [same, is_new] = names.emplace(tex, entry.key);
     const Vocabulary::Word* word = front.notation.vocabulary.find(entry.key);
@@ -432,9 +436,8 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
              word != nullptr && word->constant() && is_letter_of_state(letter) && !has_index_of_value(tex))
       refuse("is a constant, and is printed as what changes with the motion, or is known of the body",
              "a value that does not change has an index: E_0, \\omega_\\text{max}");
-    else if (const auto by_others = means && !has_twin(tex)
-                                        ? meaning_by_others(entry.key, symbol.tex, front, texts)
-                                        : std::nullopt)
+    else if (const auto by_others =
+                 means && !has_twin(tex) ? meaning_by_others(entry.key, symbol, front) : std::nullopt)
       refuse("is known already: the other symbols make it " + *by_others, "take another letter");
     else if (!means && known && *known != entry.key && is_quantity(entry.key))
       refuse("is printed as " + *known + ", and has the name of another quantity",

@@ -11,6 +11,7 @@
 #include "lessons/reader/scene/scene_keys.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct FrontMatter {
   Assumptions assumptions;              ///< what its claims and questions can be given
   AboutKeys about;
   /// What its scenes can speak of.
-  SceneWords words() const { return {&notation.vocabulary, &dimensions, &symbols}; }
+  SceneWords words() const { return {&notation.vocabulary, &dimensions, &symbols, quantities.get()}; }
+  std::shared_ptr<QuantitiesRead> quantities = std::make_shared<QuantitiesRead>();
   int next_line = 1;  ///< first line after the closing +++
 };
 

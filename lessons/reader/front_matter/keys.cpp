@@ -133,18 +133,28 @@ std::optional<std::vector<PlacedText>> read_texts(const TomlEntry& entry, std::s
 
 void read_keys(const TomlTable& table, std::string_view where, const std::vector<KeyHandler>& handlers,
                Report& report) {
-  for (const TomlEntry& entry : table.entries) {
+  const auto read = [&](const TomlEntry& entry) {
     const auto handler = std::find_if(handlers.begin(), handlers.end(),
                                       [&entry](const KeyHandler& h) { return h.name == entry.key; });
-    if (handler != handlers.end()) {
-      handler->read(entry);
-      continue;
-    }
-    std::vector<std::string> known;
-    for (const KeyHandler& h : handlers) known.push_back(h.name);
-    report.error(entry.place, "unknown key " + in_quotes(entry.key) + " in " + std::string(where),
-                 suggestion(entry.key, known));
-  }
+    if (handler == handlers.end()) return false;
+    handler->read(entry);
+    return true;
+  };
+  const auto known = [&] {
+    std::vector<std::string> names;
+    for (const KeyHandler& h : handlers) names.push_back(h.name);
+    return names;
+  };
+  read_keys(table, where, read, known, report);
+}
+
+void read_keys(const TomlTable& table, std::string_view where,
+               const std::function<bool(const TomlEntry&)>& read,
+               const std::function<std::vector<std::string>()>& known, Report& report) {
+  for (const TomlEntry& entry : table.entries)
+    if (!read(entry))
+      report.error(entry.place, "unknown key " + in_quotes(entry.key) + " in " + std::string(where),
+                   suggestion(entry.key, known()));
 }
 
 }  // namespace polhode

@@ -51,5 +51,9 @@ struct KeyHandler {
 /// `where` names the table in messages: "[scene]".
 void read_keys(const TomlTable& table, std::string_view where, const std::vector<KeyHandler>& handlers,
                Report& report);
+/// The same without a list of handlers: `read` says whether it knows a key, `known` which there are.
+void read_keys(const TomlTable& table, std::string_view where,
+               const std::function<bool(const TomlEntry&)>& read,
+               const std::function<std::vector<std::string>()>& known, Report& report);
 
 }  // namespace polhode

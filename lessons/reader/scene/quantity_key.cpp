@@ -119,8 +119,9 @@ bool has_value_on_motions(const Expression& expression, SourcePlace place, Repor
   return false;
 }
 
-std::optional<ReadQuantity> read_quantity(const PlacedText& text, const SceneWords& words,
-                                          TextReader& texts) {
+namespace {
+
+std::optional<ReadQuantity> read_anew(const PlacedText& text, const SceneWords& words, TextReader& texts) {
   Report& report = texts.report();
   const SourcePlace place =
       texts.source().place_of(located_string(texts.source(), text.place, text.text).offset_of(0));
@@ -144,6 +145,17 @@ std::optional<ReadQuantity> read_quantity(const PlacedText& text, const SceneWor
   return ReadQuantity{
       scene_quantity(std::move(*expression), std::move(tex), std::move(unit), std::move(role)),
       reading.dimension, std::move(written)};
+}
+
+}  // namespace
+
+std::optional<ReadQuantity> read_quantity(const PlacedText& text, const SceneWords& words,
+                                          TextReader& texts) {
+  if (words.read == nullptr) return read_anew(text, words, texts);
+  if (const auto before = words.read->find(text.text); before != words.read->end()) return before->second;
+  auto quantity = read_anew(text, words, texts);
+  if (quantity) words.read->emplace(text.text, *quantity);
+  return quantity;
 }
 
 }  // namespace polhode

@@ -14,20 +14,24 @@
 
 namespace polhode {
 
-/// What the expressions of a lesson's scenes can speak of, besides the words of the language. Null: nothing
-/// more.
-struct SceneWords {
-  const Vocabulary* vocabulary = nullptr;
-  const std::map<int, Dimension>* dimensions = nullptr;  ///< of constants, by their numbers
-  const std::map<std::string, Symbol>* symbols = nullptr;
-};
-
 /// A quantity and what it is measured in; of 0, A, and what is made of constants without a unit none is
 /// known.
 struct ReadQuantity {
   SceneQuantity quantity;
   std::optional<Dimension> dimension;
   Expression expression;
+};
+
+/// Those that were read with the same words, by their texts: scenes say the same again and again.
+using QuantitiesRead = std::map<std::string, ReadQuantity>;
+
+/// What the expressions of a lesson's scenes can speak of, besides the words of the language. Null: nothing
+/// more.
+struct SceneWords {
+  const Vocabulary* vocabulary = nullptr;
+  const std::map<int, Dimension>* dimensions = nullptr;  ///< of constants, by their numbers
+  const std::map<std::string, Symbol>* symbols = nullptr;
+  QuantitiesRead* read = nullptr;  ///< null: none are kept
 };
 
 /// Reads a scalar or vector of the lesson that any motion has: not h and k, which are any numbers. Its unit

@@ -731,21 +731,28 @@ std::string SceneKeys::text_of_variations(const Scene& scene) {
 }
 
 std::vector<PlacedText> SceneKeys::read(const TomlTable& table) {
-  std::vector<KeyHandler> handlers;
-  handlers.reserve(rows().size() + 2);
-  for (const Row& row : rows()) {
-    const bool is_known = of_ != Of::row || row.speaks == Row::Speaks::of_motion;
-    if (is_known || table.find(row.facts.name) != nullptr)
-      handlers.push_back({std::string(row.facts.name), [this, &row](const TomlEntry& e) { read(row, e); }});
-  }
-  if (of_ == Of::row)
-    for (const char* key : {"head", "at"}) {
-      std::erase_if(handlers, [&](const KeyHandler& handler) { return handler.name == key; });
-      handlers.push_back({key, [](const TomlEntry&) {}});  // its table reads them
-    }
+  constexpr std::array<std::string_view, 2> kOfRow{"head", "at"};  // its table reads them
+  const auto is_of_row = [&](std::string_view key) {
+    return of_ == Of::row && std::ranges::find(kOfRow, key) != kOfRow.end();
+  };
+  const auto read_key = [&](const TomlEntry& entry) {
+    if (is_of_row(entry.key)) return true;
+    const auto row = std::ranges::find(rows(), entry.key, [](const Row& one) { return one.facts.name; });
+    if (row == rows().end()) return false;
+    read(*row, entry);
+    return true;
+  };
+  const auto known = [&] {
+    std::vector<std::string> names;
+    for (const Row& row : rows())
+      if ((of_ != Of::row || row.speaks == Row::Speaks::of_motion) && !is_of_row(row.facts.name))
+        names.emplace_back(row.facts.name);
+    if (of_ == Of::row) names.insert(names.end(), kOfRow.begin(), kOfRow.end());
+    return names;
+  };
   take_start_apart(table);
   if (table.find("caption") != nullptr) scene_.caption_when = CaptionWhen::always;
-  read_keys(table, of_ == Of::row ? "a row" : "the scene", handlers, report_);
+  read_keys(table, of_ == Of::row ? "a row" : "the scene", read_key, known, report_);
   check_scene(table);
   return std::move(highlighted_);
 }

@@ -80,14 +80,15 @@ class KnownNumbers {
     return false;
   }
 
-  bool is_of(const ShownMotion& motion) {
+  bool is_of(const ShownMotion& motion, std::optional<double> at_s) {
     const Scene& scene = motion.model.scene;
     if (unit_.dimension == kTime) {
       const double step_s = scene.motion.step_s.value_or(0);
       if (scene.show.contains(Overlay::order_plot) && is_near(std::ldexp(step_s, 1 - kOrderSteps)))
         return true;
-      for (const double time_s : {scene.at_s, motion.still_s, scene.duration_s.value_or(0),
-                                  motion.model.span_s, step_s, scene.poses.over_s})
+      for (const double time_s :
+           {scene.at_s, motion.still_s, scene.duration_s.value_or(0), motion.model.span_s,
+            motion.model.span_s / motion.model.rate, step_s, scene.poses.over_s})
         if (is_near(time_s)) return true;
     }
     constexpr Dimension kLength{0, 1, 0}, kMass{1, 0, 0}, kForce{1, 1, -2};
@@ -97,9 +98,9 @@ class KnownNumbers {
       return true;
     if (unit_.dimension == kMass && is_near(scene.body.mass_kg)) return true;
     if (unit_.dimension == kLength)
-      for (const double size_m : motion.model.solid.size_m)
+      for (const double size_m : scene.body.shape->size_m)
         if (is_near(size_m)) return true;
-    for (const double t_s : {motion.still_s, 0.0}) {
+    for (const double t_s : {motion.still_s, 0.0, at_s.value_or(0.0)}) {
       MotionNumbers numbers(motion.model, t_s, effort_);
       for (const std::string_view text : kKnown)
         if (is_value(text, numbers)) return true;
@@ -166,7 +167,8 @@ namespace {
 /// Whether what is asked of a value is so on one of the motions: at one of the times, or at all.
 template <class IsSo>
 std::optional<bool> is_so_on(const std::vector<ShownMotion>& motions, const Expression& quantity,
-                             const Effort& effort, SaidOf when, const IsSo& is_so_of) {
+                             const Effort& effort, SaidOf when, const IsSo& is_so_of,
+                             std::optional<double> at_s = {}) {
   std::optional<bool> is_so;
   for (const ShownMotion& motion : motions) {
     std::optional<bool> on_motion;
@@ -176,7 +178,7 @@ std::optional<bool> is_so_on(const std::vector<ShownMotion>& motions, const Expr
       return value ? std::optional(is_so_of(*value)) : std::nullopt;
     };
     if (when == SaidOf::start_or_all_times && is_so_at(0).value_or(false)) return true;
-    for (const double t_s : times_of(motion, when)) {
+    for (const double t_s : at_s ? std::vector{*at_s} : times_of(motion, when)) {
       const auto is_so_now = is_so_at(t_s);
       if (!is_so_now) continue;
       on_motion = when == SaidOf::some_time ? on_motion.value_or(false) || *is_so_now
@@ -206,11 +208,11 @@ std::optional<bool> is_between(const Expression& quantity, const TypedNumber& lo
 
 std::optional<bool> is_number_of(const TypedNumber& number, const Expression& quantity,
                                  const std::vector<ShownMotion>& motions, const Effort& effort,
-                                 Relation relation, SaidOf when) {
+                                 Relation relation, SaidOf when, std::optional<double> at_s) {
   const ScaledUnit unit = scaled_unit(number.unit).value_or(ScaledUnit{});
   const auto dimension = has_motion_words(quantity) ? std::nullopt : dimension_of(quantity, {}).dimension;
   if (dimension && !number.unit.empty() && *dimension != unit.dimension) return false;
-  return is_so_on(motions, quantity, effort, when, [&](double value) {
+  const auto is_so_of = [&](double value) {
     const double typed = number.value * unit.size;
     constexpr double kRounding = 1e-9;  // of "at most 3 rad/s" where it is 3
     if (relation == Relation::greater) return value > typed;
@@ -219,17 +221,18 @@ std::optional<bool> is_number_of(const TypedNumber& number, const Expression& qu
     if (relation == Relation::less_or_equal) return value <= typed + kRounding * std::abs(typed);
     return std::abs(std::abs(value) / unit.size - std::abs(number.value)) <= rounded_off(number, relation) &&
            (number.value >= 0 || value < 0);
-  });
+  };
+  return is_so_on(motions, quantity, effort, when, is_so_of, at_s);
 }
 
 bool is_known_number(const TypedNumber& number, const Lesson& lesson, const std::vector<ShownMotion>& motions,
-                     const Effort& effort) {
+                     const Effort& effort, std::optional<double> at_s) {
   const auto unit = scaled_unit(number.unit);
   if (!unit || number.unit.empty() || number.value == 0 || is_constructed(number, *unit)) return true;
   KnownNumbers known(number, *unit, lesson, effort);
   if (known.is_constant()) return true;
   for (const ShownMotion& motion : motions)
-    if (known.is_of(motion)) return true;
+    if (known.is_of(motion, at_s)) return true;
   return false;
 }
 

@@ -22,29 +22,6 @@ namespace {
 
 constexpr const char* kOneFormula = "write both into one formula, in which they are compared";
 
-/// As = or ≈ says. What is proved differs only where a method errs: then the number is not what it should
-/// be.
-bool agree(const LiveValue& value, Relation relation, bool is_proved) {
-  const double l = value.left[0], r = value.right[0];
-  constexpr double kRounding = 1e-9, kShown = 1e-3;
-  const bool are_equal = value.residual <= (is_proved ? kShown : std::max(value.tolerance, kRounding));
-  switch (relation) {
-    case Relation::approximate:
-      return std::abs(l - r) <= kSmallOnMotion * std::max(std::abs(l), std::abs(r));
-    case Relation::less:
-      return is_proved || l < r;
-    case Relation::greater:
-      return is_proved || l > r;
-    case Relation::less_or_equal:
-      return is_proved || l < r || are_equal;
-    case Relation::greater_or_equal:
-      return is_proved || l > r || are_equal;
-    case Relation::equal:
-      break;
-  }
-  return are_equal;
-}
-
 /// The times of films and of the window, the still first.
 std::vector<double> times_of(const NumbersMotion& motion, bool still_alone) {
   std::vector<double> times_s{motion.still_s};
@@ -66,6 +43,27 @@ bool has_typed(const Math& math) {
 }
 
 }  // namespace
+
+bool agree(const LiveValue& value, Relation relation, bool is_proved) {
+  const double l = value.left[0], r = value.right[0];
+  constexpr double kRounding = 1e-9, kShown = 1e-3;
+  const bool are_equal = value.residual <= (is_proved ? kShown : std::max(value.tolerance, kRounding));
+  switch (relation) {
+    case Relation::approximate:
+      return std::abs(l - r) <= kSmallOnMotion * std::max(std::abs(l), std::abs(r));
+    case Relation::less:
+      return is_proved || l < r;
+    case Relation::greater:
+      return is_proved || l > r;
+    case Relation::less_or_equal:
+      return is_proved || l < r || are_equal;
+    case Relation::greater_or_equal:
+      return is_proved || l > r || are_equal;
+    case Relation::equal:
+      break;
+  }
+  return are_equal;
+}
 
 NumberCheck::NumberCheck(const Lesson& lesson, Report& report, const Effort& effort)
     : lesson_(lesson), report_(report), effort_(effort), notation_(lesson.notation) {

@@ -21,6 +21,10 @@ struct NumbersMotion {
   double still_s = 0;
 };
 
+/// As = or ≈ says. What is proved differs only where a method errs: then the number is not what it should
+/// be.
+bool agree(const LiveValue& value, Relation relation, bool is_proved);
+
 class NumberCheck {
  public:
   /// All must outlive it.
@@ -65,6 +69,9 @@ class NumberCheck {
   void check_axis_of_row(const TextTable::Cell& head, const TextTable::Cell& cell,
                          const ComputedNumber& number);
   void check_row_heads(const TextTable& table);
+  void check_row_statements(const Math& math, const ComputedNumber& of_row);
+  void check_time_of_row(const TextTable::Cell& head, const TextTable::Cell& cell,
+                         const ComputedNumber& of_row);
   Head head_of(const TextTable::Cell& cell) const;
   void check_head(const Head& head, const ComputedNumber& number, const std::vector<MotionNumbers*>& motions);
   void refuse(const ComputedNumber& number, const std::string& message, const std::string& hint = "");

@@ -4,6 +4,7 @@
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/proof/proof.h"
 #include "lessons/reader/checks/numbers/number_check.h"
+#include "lessons/reader/checks/numbers/typed_numbers.h"
 #include "lessons/reader/checks/prose/quantity_words.h"
 #include "lessons/reader/text_units.h"
 
@@ -219,6 +220,53 @@ std::optional<double> wrong_value(const TypedStatement& statement, const SceneMo
   return wrong;
 }
 
+/// "$I_3 = 9\,I_1$", on the row's motion, at its time or as it began.
+void NumberCheck::check_row_statements(const Math& math, const ComputedNumber& of_row) {
+  const SceneModel model = make_model(of_row.row->scene, ModelFor::numbers, effort_);
+  for (const StatedLink& link : stated_in(math, notation_).links) {
+    if (!link.left.is || !link.right.is || link.right.typed || link.left.typed || link.is_of_a_time() ||
+        link.is_of_all_times || link.is_denied)
+      continue;
+    ClaimLine line;
+    line.equality = {*link.left.is, *link.right.is};
+    std::optional<LiveValue> wrong;
+    for (const double t_s : {of_row.row->scene.at_s, 0.0}) {
+      const auto live = live_state(model, t_s);
+      auto value = live ? live_value(line, *live, View::space) : std::nullopt;
+      if (!value || agree(*value, link.relation, false)) return;
+      if (!wrong) wrong = std::move(value);
+    }
+    if (wrong)
+      return report_.error(of_row.row->place,
+                           "a cell of this row says that " + link.left.is->text + ' ' +
+                               std::string(sign_of(link.relation)) + ' ' + link.right.is->text +
+                               ", and on its motion these are " + digits(wrong->left[0], kDigitsOfHint) +
+                               " and " + digits(wrong->right[0], kDigitsOfHint),
+                           "write what the row's motion is");
+  }
+}
+
+/// "3 s" below "time" is the time of the row's numbers.
+void NumberCheck::check_time_of_row(const TextTable::Cell& head, const TextTable::Cell& cell,
+                                    const ComputedNumber& of_row) {
+  const auto typed = number_in_cell(cell);
+  if (!typed) return;
+  TextTable::Cell name = head;
+  std::string unit = typed->unit;
+  if (unit.empty() && !name.empty() && name.back().kind == TextSpan::Kind::text)
+    unit = take_unit_at_end(name.back().text);
+  const auto scaled = scaled_unit(unit);
+  const bool is_letter_t = name.size() == 1 && name.front().text == "t";
+  const std::string words = name.size() == 1 ? std::string(without_blanks(name.front().text)) : "";
+  if (!scaled || scaled->dimension != kTime || !(is_letter_t || words == "time" || words == "at")) return;
+  const double at = of_row.row->scene.at_s / scaled->size;
+  if (std::abs(at - typed->value) > 0.5 * typed->last_digit * (1 + 1e-9))
+    report_.error(of_row.row->place,
+                  "this row is of the time " + digits(typed->value, kDigitsOfHint) + ' ' + unit +
+                      " by its head, and its numbers are of " + digits(at, kDigitsOfHint) + ' ' + unit,
+                  "give the row its time: at = …");
+}
+
 /// What the heads of computed rows say of their motions: "$\omega_3 = 5$ rad/s", at its time or as it began.
 void NumberCheck::check_row_heads(const TextTable& table) {
   for (std::size_t r = 1; r < table.rows.size(); ++r) {
@@ -227,6 +275,7 @@ void NumberCheck::check_row_heads(const TextTable& table) {
       for (const TextSpan& span : cell)
         if (span.math.live.size() == 1 && number(span.math, 0).row) of_row = &number(span.math, 0);
     if (of_row == nullptr) continue;
+    check_time_of_row(table.rows.front().front(), table.rows[r].front(), *of_row);
     for (const TextTable::Cell& cell : table.rows[r])
       for (std::size_t i = 0; i < cell.size(); ++i) {
         if (cell[i].kind != TextSpan::Kind::math || !cell[i].math.live.empty()) continue;
@@ -243,6 +292,7 @@ void NumberCheck::check_row_heads(const TextTable& table) {
                               digits(*wrong, kDigitsOfHint),
                           "write what the row's motion is");
         }
+        check_row_statements(cell[i].math, *of_row);
         const auto is = read_side(cell[i].math, notation_);
         const bool is_quantity = is && is->nodes.size() == 1 && is->nodes[0].operation == Operation::quantity;
         if (cell.size() == 1 && is_quantity &&

@@ -74,45 +74,36 @@ std::optional<Relation> take_verb(std::vector<TextSpan>& clause) {
 
 std::optional<Relation> take_comparison(std::vector<TextSpan>& clause) {
   if (clause.empty() || clause.back().kind != TextSpan::Kind::text) return std::nullopt;
-  constexpr std::array<std::string_view, 14> kGreater{"is more than",
-                                                      "is greater than",
-                                                      "is larger than",
-                                                      "is above",
-                                                      "is at least",
-                                                      "stays above",
-                                                      "remains above",
-                                                      "is always more than",
-                                                      "is always greater than",
-                                                      "is always larger than",
-                                                      "is always above",
-                                                      "never falls below",
-                                                      "never drops below",
-                                                      "exceeds"};
-  constexpr std::array<std::string_view, 12> kLess{"is less than",
-                                                   "is smaller than",
-                                                   "is below",
-                                                   "is at most",
-                                                   "stays below",
-                                                   "remains below",
-                                                   "is always less than",
-                                                   "is always smaller than",
-                                                   "is always below",
-                                                   "never rises above",
-                                                   "never exceeds",
-                                                   "does not exceed"};
-  constexpr std::array<std::string_view, 4> kOrEqual{"at least", "at most", "never", "does not exceed"};
+  using enum Relation;
+  using Phrase = std::pair<std::string_view, Relation>;
+  constexpr std::array<Phrase, 6> kVerbs{{{"never falls below", greater_or_equal},
+                                          {"never drops below", greater_or_equal},
+                                          {"never rises above", less_or_equal},
+                                          {"never exceeds", less_or_equal},
+                                          {"does not exceed", less_or_equal},
+                                          {"exceeds", greater}}};
+  constexpr std::array<Phrase, 9> kBehindVerb{{{"more than", greater},
+                                               {"greater than", greater},
+                                               {"larger than", greater},
+                                               {"above", greater},
+                                               {"at least", greater_or_equal},
+                                               {"less than", less},
+                                               {"smaller than", less},
+                                               {"below", less},
+                                               {"at most", less_or_equal}}};
   const std::string all = clause.back().text;
   std::string_view rest = without_blanks(all);
   const auto take = [&](std::string_view word) { return take_last_word(rest, word); };
-  const bool is_less = std::any_of(kLess.begin(), kLess.end(), take);  // "never exceeds" before "exceeds"
-  if (!is_less && std::none_of(kGreater.begin(), kGreater.end(), take)) return std::nullopt;
+  const auto take_phrase = [&](const Phrase& phrase) { return take(phrase.first); };
+  const Phrase* said = std::ranges::find_if(kVerbs, take_phrase);
+  if (said == kVerbs.end()) {
+    said = std::ranges::find_if(kBehindVerb, take_phrase);
+    if (said == kBehindVerb.end()) return std::nullopt;
+    take("always");
+    if (!take("is") && !take("stays") && !take("remains")) return std::nullopt;
+  }
   clause.back().text = std::string(rest);
-  const std::string_view said = std::string_view(all).substr(rest.size());
-  const bool may_be_equal = std::any_of(kOrEqual.begin(), kOrEqual.end(), [&](std::string_view words) {
-    return said.find(words) != said.npos;
-  });
-  if (is_less) return may_be_equal ? Relation::less_or_equal : Relation::less;
-  return may_be_equal ? Relation::greater_or_equal : Relation::greater;
+  return said->second;
 }
 
 std::optional<bool> take_between(std::vector<TextSpan>& clause) {

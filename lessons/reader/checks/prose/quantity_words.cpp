@@ -28,7 +28,7 @@ struct Said {
 using Pair = std::pair<std::string_view, std::string_view>;
 
 /// What has a name of its own wherever the rotation of a body is written about.
-constexpr std::array<Pair, 38> kWords{{
+constexpr std::array<Pair, 45> kWords{{
     {"energy", "T"},
     {"kinetic energy", "T"},
     {"rotational energy", "T"},
@@ -52,6 +52,13 @@ constexpr std::array<Pair, 38> kWords{{
     {"time of one turn", "(2*pi/norm(omega))"},
     {"angular velocity", "omega"},
     {"omega", "omega"},
+    {"ω", "omega"},
+    {"ω₁", "w1"},
+    {"ω₂", "w2"},
+    {"ω₃", "w3"},
+    {"i₁", "I1"},
+    {"i₂", "I2"},
+    {"i₃", "I3"},
     {"l", "L"},
     {"angular momentum", "L"},
     {"torque", "N"},

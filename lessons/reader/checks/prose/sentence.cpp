@@ -52,6 +52,10 @@ bool is_before_imperative(const SentencePart& part) {
 bool is_preposition(const SentencePart& part) {
   return is_one_of(part, {"with", "without", "for", "at", "given", "under", "than", "unlike", "except"});
 }
+/// What the body that is shown does. Not "would spin".
+bool says_how_it_moves(const SentencePart& part) {
+  return is_one_of(part, {"spins", "turns", "rotates", "starts", "begins", "moves", "flies", "tumbles"});
+}
 /// The reader and the writer: what they do is no condition on a body.
 bool is_person(const SentencePart& part) { return is_one_of(part, {"we", "you", "one", "i", "us"}); }
 
@@ -210,9 +214,17 @@ bool Sentences::has_supposition(std::size_t word, Range sentence) const {
   return !(is_passive && is_one_of(object, {"it", "this", "that"}));
 }
 
+bool Sentences::is_number(const SentencePart& part) const {
+  if (part.kind != Kind::formula) return false;
+  const auto& sides = stated_.at(part.span).sides;
+  return sides.size() == 1 && sides.front().first.nodes.front().operation == Operation::number;
+}
+
 bool Sentences::is_told_to_do(std::size_t imperative, Range sentence, std::size_t own) const {
   const std::size_t object = imperative + 1;
   if (object >= sentence.end || !is_object(parts_[object])) return false;
+  // "Spin 200 rad/s" has a number of what it names.
+  if (is_one_of(parts_[imperative], {"spin", "tilt"}) && is_number(parts_[object])) return false;
   if (object + 1 < sentence.end && is_one_of(parts_[object + 1], {"that"})) return false;
   const auto explains = [](const SentencePart& part) { return part.kind == Kind::pause && part.word == ":"; };
   const auto from = parts_.begin() + static_cast<std::ptrdiff_t>(object),
@@ -226,7 +238,10 @@ bool Sentences::is_supposed(Range sentence, std::size_t own) const {
     const bool is_first = i == sentence.begin;
     if (part.kind == Kind::question) return true;
     const bool is_for_once = !is_first && is_one_of(part, {"once"}) && is_preposition(parts_[i - 1]);
-    if (is_conjunction(part) && !is_for_once && is_condition(i, sentence)) return true;
+    // "When $t = 4$ s" is a time.
+    const bool is_time =
+        is_one_of(part, {"when"}) && i + 1 < sentence.end && parts_[i + 1].kind == Kind::time;
+    if (is_conjunction(part) && !is_for_once && !is_time && is_condition(i, sentence)) return true;
     if (is_imperative(part) && (is_first || is_before_imperative(parts_[i - 1])) && i + 1 < sentence.end &&
         (is_supposing(part) ? has_supposition(i, sentence) : is_told_to_do(i, sentence, own)))
       return true;
@@ -247,7 +262,9 @@ bool Sentences::is_supposed(Range sentence, std::size_t own) const {
                            is_one_of(parts_[i + 1], {"small", "large", "fixed", "given"}) &&
                            parts_[i + 2].is_formula();
     if (is_one_of(part, {"for", "at", "with"}) && has_limit) return true;
-    if (!is_preposition(part)) continue;
+    // "The block spins with $\omega_2 = 7$ rad/s" says how it does.
+    const bool is_said_of_motion = is_one_of(part, {"with"}) && !is_first && says_how_it_moves(parts_[i - 1]);
+    if (!is_preposition(part) || is_said_of_motion) continue;
     const std::size_t equation = equation_behind(i, sentence);
     if (equation < parts_.size() && parts_[equation].kind == Kind::equation) return true;
   }
@@ -341,7 +358,8 @@ Standing Sentences::standing_of(std::size_t span) const {
     // "After $t = 1$ s", "until $t = 2$ s" is a while, of which nobody can be asked.
     std::size_t before = i;
     while (before > sentence.begin && is_one_of(parts_[before - 1], {"the", "time"})) --before;
-    const bool is_at = before > sentence.begin && is_one_of(parts_[before - 1], {"at", "for", "with"});
+    const bool is_at =
+        before > sentence.begin && is_one_of(parts_[before - 1], {"at", "for", "with", "when"});
     if (!is_at) standing.is_stated = false;
   }
   if (times > 1) standing.is_stated = false;
@@ -374,6 +392,20 @@ Standing Sentences::standing_of(std::size_t span) const {
       standing.is_of_moment = true;
   }
   return standing;
+}
+
+bool Sentences::speaks_of_each(std::size_t span) const {
+  const auto first =
+      std::find_if(parts_.begin(), parts_.end(), [&](const SentencePart& part) { return part.span == span; });
+  if (first == parts_.end()) return false;
+  const auto own = static_cast<std::size_t>(first - parts_.begin());
+  const Range clause = clause_around(own, sentence_around(own));
+  for (std::size_t i = clause.begin; i + 1 < own; ++i)
+    if (is_one_of(parts_[i], {"both", "each"}) &&
+        is_one_of(parts_[i + 1], {"have", "has", "bodies", "motions", "scenes", "pictures", "tops", "spin",
+                                  "turn", "begin", "start"}))
+      return true;
+  return false;
 }
 
 std::optional<std::size_t> Sentences::thing_named(std::size_t span,

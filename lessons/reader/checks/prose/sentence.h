@@ -67,6 +67,8 @@ class Sentences {
   /// Of which of these things the clause of a span speaks: nothing where it names none or several, or has
   /// another "first" or "second" in it.
   std::optional<std::size_t> thing_named(std::size_t span, const std::vector<CalledBy>& things) const;
+  /// "Both have", "each has", "both bodies": its clause speaks of all that stand side by side.
+  bool speaks_of_each(std::size_t span) const;
 
  private:
   using Parts = std::vector<SentencePart>;
@@ -84,6 +86,7 @@ class Sentences {
   /// "Turn the book by 90°" tells to do something, and what follows is of that; "take it that" does not, and
   /// what stands behind a colon is not of what is done.
   bool is_told_to_do(std::size_t imperative, Range sentence, std::size_t own) const;
+  bool is_number(const SentencePart& part) const;
   /// "not" in "do not forget that" denies nothing.
   bool is_of_passing_over(std::size_t denial, Range clause) const;
   bool is_condition(std::size_t conjunction, Range sentence) const;

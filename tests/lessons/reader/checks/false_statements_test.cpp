@@ -697,5 +697,76 @@ TEST(WordsInFormulas, NameWhatStandsThere) {
   expect_true({math("identity", R"(2\,\underbrace{T}_{\text{kinetic energy}} = \vec\omega\cdot\vec L)")});
 }
 
+// 2026-11-28: a quantity at one time beside another time of it was read in none but the simplest form.
+TEST(Statements, OfOneTimeAreHeldAgainstThatOfAnother) {
+  expect_false({R"(So $T(5) = 2\,T(0)$.)", R"($\vec L(5) = -\vec L(0)$.)", R"($|\vec L(5)| = 3|\vec L(0)|$.)",
+                R"($\omega_2 = 3$ rad/s when $t = 4$ s.)"});
+  expect_true({R"(So $2\,T(5) = 2\,T(0)$.)", R"($|\vec L(5)| = |\vec L(0)|$.)",
+               R"($T(1) + T = T(0)$ is nothing that is read.)"});
+}
+
+// 2026-11-28: "with" made a condition of what the body is said to do.
+TEST(Statements, SayHowTheBodyMoves) {
+  expect_false({R"(The plate spins with $\omega_2 = 7$ rad/s.)"});
+  expect_true({R"(The plate starts with $\omega_2 = 3$ rad/s.)",
+               R"(With $\omega_2 = 7$ rad/s it would turn faster.)",
+               R"(The plate would spin with $\omega_2 = 7$ rad/s.)"});
+}
+
+// 2026-11-28: what is said of both motions was so of one.
+TEST(Statements, OfBothMotionsAreSoOfEach) {
+  const std::string scenes =
+      "scenes = [{ caption = \"one\" }, { omega = [0.5, 1, 0.7], caption = \"two\" }]\nrate = 1\nduration = "
+      "2";
+  EXPECT_THAT(complaints_about(R"(Both have $\omega_2 = 3$ rad/s.)", scenes), Not(IsEmpty()));
+  EXPECT_THAT(complaints_about(R"(Both have $\omega_1 = 0.5$ rad/s.)", scenes), IsEmpty());
+  EXPECT_THAT(complaints_about(R"($\omega_2 = 3$ rad/s.)", scenes), IsEmpty());
+}
+
+// 2026-11-28: a caption's name and number were told to do, and one below several pictures was so of one.
+TEST(Captions, HaveNamesAndNumbersOfAllTheyStandBelow) {
+  const auto captioned = [](const std::string& caption, const std::string& keys = "") {
+    return complaints_about("Look.", "caption = '" + caption + "'\n" + keys);
+  };
+  EXPECT_THAT(captioned("Energy 3.0 J"), Not(IsEmpty()));
+  EXPECT_THAT(captioned("Energy 9.84 J"), IsEmpty());
+  EXPECT_THAT(captioned("Spin 99 rad/s"), Not(IsEmpty()));
+  EXPECT_THAT(captioned("Spin 3 rad/s"), IsEmpty());
+  const std::string vary = "vary = { omega3 = { from = 0.1, to = 9 } }";
+  EXPECT_THAT(captioned("The energy is 9.84 J", vary), Not(IsEmpty()));
+  EXPECT_THAT(captioned("It begins with $\\omega_1 = 0.5$ rad/s", vary), IsEmpty());
+}
+
+// 2026-11-28: honest numbers were nobody's.
+TEST(TypedNumbers, AreOfTheBodyOfTheFilmAndOfArithmetic) {
+  const auto of_disc = [](const std::string& text) {
+    return complaints_of(
+        text +
+            "\n\n```scene\nbody = \"puck\"\nomega = [0, 0, 200]\nduration = 1.5\nrate = 0.2\n"
+            "show = [\"omega\"]\n```\n",
+        "[body.puck]\nshape = \"cylinder\"\nsize_m = [0.12, 0.12, 0.02]\nmass_kg = 1\n");
+  };
+  for (const char* text : {"The puck is 12 cm across and 2 cm thick.", "The film lasts 7.5 s.",
+                           "With half the spin, 100 rad/s, it is slower.", "1 rpm is 0.105 rad/s."})
+    EXPECT_THAT(of_disc(text), IsEmpty()) << text;
+  for (const char* text : {"The puck is 13 cm across.", "The film lasts 8.5 s.",
+                           "With half the spin, 120 rad/s, it is slower.", "1 rpm is 0.205 rad/s."})
+    EXPECT_THAT(of_disc(text), Not(IsEmpty())) << text;
+}
+
+// 2026-11-28: heads of rows said another body and another time than their numbers have.
+TEST(ComputedTables, HaveRowsOfWhatTheirHeadsSay) {
+  const auto table = [](const std::string& head, const std::string& row) {
+    return complaints_about(
+        "```table\ncolumns = [{ head = \"" + head +
+        "\" }, { head = \"angular speed\", of = \"norm(omega)\", unit = \"rad/s\" }]\nrows = [" + row +
+        "]\n```");
+  };
+  EXPECT_THAT(table("body", R"({ head = '$I_3 = 9\,I_1$', body = "plate" })"), Not(IsEmpty()));
+  EXPECT_THAT(table("body", R"({ head = '$I_3 > I_1$', body = "plate" })"), IsEmpty());
+  EXPECT_THAT(table("time", R"({ head = "3 s", at = 2 })"), Not(IsEmpty()));
+  EXPECT_THAT(table("time", R"({ head = "2 s", at = 2 })"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace polhode
