@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/front_matter/toml_tree.h"
 
-#include "lessons/reader/front_matter/plain_toml.h"
 #include "lessons/reader/reader.h"
 
 #include <toml++/toml.h>
@@ -172,11 +171,6 @@ std::optional<TomlTable> parse_toml(std::string_view text, int first_line, Repor
                                       std::to_string(kMaxTomlBytes) + " are allowed");
     return std::nullopt;
   }
-  if (auto plain = read_plain_toml(text, first_line, kMaxNesting)) return plain;
-  return parse_any_toml(text, first_line, report);
-}
-
-std::optional<TomlTable> parse_any_toml(std::string_view text, int first_line, Report& report) {
   if (const auto deep = first_toml_nested_deeper(text, kMaxNesting)) {
     const SourcePlace place = SourceText(text).place_of(std::min(*deep, text.size()));
     report.error({place.line + first_line - 1, place.column},

@@ -54,7 +54,5 @@ std::optional<std::size_t> first_toml_nested_deeper(std::string_view text, int l
 /// Parses a text that starts on line `first_line` of the source. Nothing if it is too long, too deeply nested
 /// or no TOML; the report says so.
 std::optional<TomlTable> parse_toml(std::string_view text, int first_line, Report& report);
-/// The same by the library alone, of a text that is not too long.
-std::optional<TomlTable> parse_any_toml(std::string_view text, int first_line, Report& report);
 
 }  // namespace polhode
