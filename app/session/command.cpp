@@ -40,6 +40,16 @@ void leave(LessonSession& session) {
     session.light({});
 }
 
+/// Behind the last step comes what is to be repeated, and the next lesson.
+void go_on(LessonSession& session) {
+  if (!session.next_step()) session.panel = Panel::lessons;
+}
+
+/// An audience is not shown how somebody has answered unless the speaker opens it.
+bool leads_to_lessons(const LessonSession& session) {
+  return !session.is_presenting() && session.panel != Panel::lessons;
+}
+
 /// To the first (-1) or the last (1) stage that is not passed over.
 void go_to_end(LessonSession& session, int way) {
   std::size_t stage = way < 0 ? 0 : session.lesson().stages.size() - 1;
@@ -91,7 +101,7 @@ void toggle_theme(Preferences& preferences) {
 // What walks goes as in the deck (assets/deck/deck.js): remote clickers send Page Down and Page Up.
 constexpr std::array kCommands = {
     CommandFacts{C::next_step, "Right, PageDown", "Walk", "next step", true,
-                 [](LessonSession& session) { session.next_step(); }},
+                 [](LessonSession& session) { go_on(session); }},
     CommandFacts{C::previous_step, "Left, PageUp", "Walk", "previous step", true,
                  [](LessonSession& session) { session.previous_step(); }},
     CommandFacts{C::next_stage, "Down, Ctrl+PageDown, Shift+PageDown", "Walk", "next stage", true,
@@ -177,6 +187,8 @@ constexpr std::array kCommands = {
                  [](LessonSession& session) { toggle(session, Panel::save); }},
     CommandFacts{C::settings, "F2", "Panels", "settings", false,
                  [](LessonSession& session) { toggle(session, Panel::settings); }},
+    CommandFacts{C::lessons, "Ctrl+L", "Panels", "all lessons: how far you are, what to repeat", false,
+                 [](LessonSession& session) { toggle(session, Panel::lessons); }},
     CommandFacts{C::help, "?, F1", "Panels", "keys", false,
                  [](LessonSession& session) { toggle(session, Panel::help); }},
     CommandFacts{C::leave, "Escape", "Panels", "close, leave", false,
@@ -242,7 +254,7 @@ std::string why_idle(const LessonSession& session, Command command) {
   if (is_of_figure(facts_of(command)) && !session.has_scene()) return "This step has no figure.";
   switch (command) {
     case C::next_step:
-      return session.next_place() ? "" : "This is the end.";
+      return session.next_place() || leads_to_lessons(session) ? "" : "This is the end.";
     case C::next_stage:
       return session.stage_beside(1) ? "" : "This is the last stage.";
     case C::previous_step:

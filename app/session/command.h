@@ -40,6 +40,7 @@ enum class Command {
   question,
   save,
   settings,
+  lessons,
   help,
   reset_scene,
   undo,

@@ -24,8 +24,8 @@
 
 namespace polhode {
 
-/// What stands beside the page; at most one at a time.
-enum class Panel { none, outline, body, method, show, question, save, settings, help };
+/// What stands beside the page, or, of all lessons, over it; at most one at a time.
+enum class Panel { none, outline, body, method, show, question, save, settings, lessons, help };
 
 /// How a person likes it, in all lessons.
 struct Preferences {

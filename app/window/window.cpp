@@ -52,6 +52,7 @@ class Loop {
     screen().set_lessons(options.lessons);
     if (!options.notice.empty()) screen().tell(options.notice);
     if (options.follows_desktop) desktop_.ask();
+    if (options.begins_with_lessons) screen().press(session, facts_of(Command::lessons).keys);
   }
   ~Loop() {
     speaker_.reset();

@@ -25,6 +25,8 @@ struct WindowOptions {
   std::string notice{};  ///< to be told at the beginning
   /// What lessons there are, asked for when they are listed.
   std::function<std::vector<LessonProgress>()> lessons{};
+  /// Over the page stands the list of all lessons, until one is chosen.
+  bool begins_with_lessons = false;
   /// Whether theme and motion are as the desktop wishes where the person has not chosen.
   bool follows_desktop = false;
   WindowPlace place{};  ///< of the window when it was closed last

@@ -7,7 +7,7 @@
 namespace polhode::window_test {
 
 inline constexpr Point kPreviousStep{55, 775}, kNextStep{148, 775}, kPlay{302, 775};
-inline constexpr Point kTimeLineStart{378, 775}, kTimeLineEnd{620, 775};
+inline constexpr Point kTimeLineStart{378, 775}, kTimeLineEnd{505, 775};
 inline constexpr Point kOutline{876, 775}, kAnswer{1104, 775};
 /// The third stage in the outline of euler-equations, at its beginning.
 inline constexpr Point kThirdStage{1100, 473};

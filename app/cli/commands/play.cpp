@@ -5,6 +5,7 @@
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
 #include "app/export/background_program.h"
+#include "app/publish/site/site_index.h"
 #include "app/session/answers/progress.h"
 #include "app/session/edited_step.h"
 #include "app/session/saved/answer_file.h"
@@ -29,9 +30,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kFirstLesson = "euler-equations";
+
 struct Options {
-  std::string lesson = "euler-equations", stage;
+  std::string lesson{}, stage{};  ///< no lesson: the one where one was last, below the list of all of them
   bool watch = false, speaker = false;
+  bool lists_lessons = false;  ///< at first
 };
 
 Outcome<std::shared_ptr<const LoadedLesson>> load(const std::string& name, const Fonts& fonts) {
@@ -91,13 +95,21 @@ class LessonWatch {
   fs::file_time_type written_;
 };
 
-/// How far one is in each of the lessons; of those that cannot be read nothing is said.
+/// From 1; 0: there is no such stage.
+std::size_t stage_number(const Lesson& lesson, const std::string& id) {
+  const Stage* stage = lesson.find_stage(id);
+  return stage ? static_cast<std::size_t>(stage - lesson.stages.data()) + 1 : 0;
+}
+
+/// How far one is in each of the lessons, in the order of the course; of those that cannot be read nothing is
+/// said.
 std::vector<LessonProgress> lessons_with_progress(const LessonSession& session) {
   std::vector<LessonProgress> all;
+  std::vector<Lesson> lessons;
   const auto folder = state_folder();
   for (const FoundLesson& found : lessons_in(lesson_folders())) {
     const auto text = read_lesson_text(found.path);
-    const LessonReading reading = text ? read_lesson(*text, found.path.string()) : LessonReading{};
+    LessonReading reading = text ? read_lesson(*text, found.path.string()) : LessonReading{};
     if (!reading.lesson) continue;
     const Lesson& lesson = *reading.lesson;
     const bool here = lesson.id == session.lesson().id;
@@ -114,9 +126,33 @@ std::vector<LessonProgress> lessons_with_progress(const LessonSession& session) 
                    .questions = progress_of(lesson, here  ? session.answers()
                                                     : log ? log->log
                                                           : AnswerLog{})
-                                    .all});
+                                    .all,
+                   .outcomes = lesson.about.outcomes,
+                   .next = lesson.about.next,
+                   .at = place ? stage_number(lesson, place->bookmark.stage) : 0});
+    lessons.push_back(std::move(*reading.lesson));
   }
-  return all;
+  std::vector<const Lesson*> pointers;
+  for (const Lesson& lesson : lessons) pointers.push_back(&lesson);
+  std::vector<LessonProgress> ordered;
+  for (const std::size_t i : course_order(pointers)) ordered.push_back(std::move(all[i]));
+  return ordered;
+}
+
+/// The lesson in which somebody was last: who has been nowhere begins with the first.
+std::string last_lesson() {
+  std::string last = kFirstLesson;
+  fs::file_time_type latest = fs::file_time_type::min();
+  const auto folder = state_folder();
+  for (const FoundLesson& found : lessons_in(lesson_folders())) {
+    std::error_code unknown;
+    const auto kept = folder ? fs::last_write_time(*folder / (found.id + ".place.json"), unknown)
+                             : fs::file_time_type::min();
+    if (!folder || unknown || kept <= latest) continue;
+    latest = kept;
+    last = found.id;
+  }
+  return last;
 }
 
 /// Slides of a lesson, made by this program beside the window. They are made to the end when it is closed.
@@ -189,6 +225,7 @@ WindowEnd play_one(const Options& options, const Fonts& fonts, SlidesJob& slides
   session.set_speaker(options.speaker);
   window.keep = [&](const LessonSession& now) { return progress.keep(now); };
   window.lessons = [&] { return lessons_with_progress(session); };
+  window.begins_with_lessons = options.lists_lessons;
   window.follows_desktop = true;
   window.place = kept_place();
   window.make_slides = [&](const LessonSession& now, const fs::path& file) {
@@ -208,6 +245,8 @@ WindowEnd play_one(const Options& options, const Fonts& fonts, SlidesJob& slides
 ExitCode play(Options options) {
   const Fonts fonts = or_fail(Fonts::open());
   SlidesJob slides;
+  options.lists_lessons = options.lesson.empty() && options.stage.empty() && !options.speaker;
+  if (options.lesson.empty()) options.lesson = options.lists_lessons ? last_lesson() : kFirstLesson;
   while (true) {
     const WindowEnd end = play_one(options, fonts, slides);
     if (end.kind == WindowEnd::Kind::interrupted) return ExitCode::interrupted;
@@ -217,6 +256,7 @@ ExitCode play(Options options) {
     }
     options.lesson = end.lesson;
     options.stage.clear();
+    options.lists_lessons = false;
   }
 }
 
@@ -227,7 +267,8 @@ ProgramCommand play_command() {
   return {
       "play",
       "Walk through a lesson in a window",
-      {{"LESSON", &options->lesson, "Lesson file or id", "", false, offer_lessons()},
+      {{"LESSON", &options->lesson, "Lesson file or id; without it all lessons are listed", "", false,
+        offer_lessons()},
        {"--stage", &options->stage, "Begin at this stage, wherever you were", "ID"},
        {"--speaker", &options->speaker, "Present, with a window of your own: next step, notes, time"},
        {"--watch", &options->watch, "For authors: read the lesson again whenever its file changes"}},

@@ -46,6 +46,27 @@ Progress progress_of(const Lesson& lesson, const AnswerLog& answers) {
   return progress;
 }
 
+ToRepeat to_repeat(const Lesson& lesson, const AnswerLog& answers) {
+  ToRepeat repeat;
+  for (PlacedAsk& question : questions_of(lesson)) {
+    const auto record = answers.find(question.name);
+    const bool is_tried = record != answers.end() && record->second.tries > 0;
+    if (is_tried && record->second.right > 0) continue;
+    (is_tried ? repeat.wrong : repeat.skipped).push_back(std::move(question));
+  }
+  return repeat;
+}
+
+std::string open_words(const QuestionCount& count) {
+  std::string words;
+  const auto add = [&](int number, const char* of) {
+    if (number > 0) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", number, of);
+  };
+  add(count.asked - count.answered, "not answered");
+  add(count.answered - count.right, "not yet right");
+  return words;
+}
+
 std::string words_of(const QuestionCount& count) {
   const std::string right = fmt::format("{} of {} right", count.right, count.asked);
   return count.answered == count.right ? right : fmt::format("{}, {} answered", right, count.answered);

@@ -18,6 +18,11 @@ struct PlacedAsk {
 };
 /// All questions, in the order in which they are asked.
 std::vector<PlacedAsk> questions_of(const Lesson& lesson);
+/// Those that are to be repeated: answered, but never right, or passed over.
+struct ToRepeat {
+  std::vector<PlacedAsk> wrong, skipped;
+};
+ToRepeat to_repeat(const Lesson& lesson, const AnswerLog& answers);
 /// Those of one stage.
 std::vector<PlacedAsk> questions_of_stage(const Lesson& lesson, std::size_t stage);
 
@@ -38,9 +43,14 @@ struct LessonProgress {
   std::string id, title;
   std::size_t stages = 0, seen = 0;
   QuestionCount questions{};
+  std::vector<std::string> outcomes{};  ///< what one learns in it
+  std::string next{};                   ///< id of the lesson behind it; empty: none
+  std::size_t at = 0;                   ///< the stage where one left, from 1; 0: it was never begun
 };
 
 /// "7 of 9 right", and how many were answered where that says more: "7 of 9 right, 8 answered".
 std::string words_of(const QuestionCount& count);
+/// What is still open of them: "3 not answered, 1 not yet right"; empty: nothing.
+std::string open_words(const QuestionCount& count);
 
 }  // namespace polhode

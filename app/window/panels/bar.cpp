@@ -35,7 +35,7 @@ void draw_walk(PanelContext& context) {
     session.previous_step();
   ImGui::EndDisabled();
   ImGui::SameLine();
-  ImGui::BeginDisabled(!session.next_place());
+  ImGui::BeginDisabled(!why_idle(session, Command::next_step).empty());
   if (icon_button("next", Icon::next, "Next", told(Command::next_step), 4.9F * em))
     context.requests.next_step = true;
   ImGui::EndDisabled();

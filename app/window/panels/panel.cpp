@@ -57,6 +57,8 @@ void Panels::draw_contents(PanelContext& context) {
       return save_.draw(context);
     case Panel::settings:
       return draw_settings(context);
+    case Panel::lessons:
+      return draw_home(context);
     case Panel::help:
       return draw_help(context);
     case Panel::none:

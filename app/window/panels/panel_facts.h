@@ -17,6 +17,7 @@ struct PanelFacts {
 
 /// In the order of the bar. A panel is drawn by its own file, to which Panels::draw_contents leads.
 inline constexpr std::array kPanels = {
+    PanelFacts{Panel::lessons, Command::lessons, "Lessons", "Lessons"},
     PanelFacts{Panel::outline, Command::outline, "Outline", "Outline"},
     PanelFacts{Panel::body, Command::body, "Body", "Body and its spin"},
     PanelFacts{Panel::method, Command::method, "Method", "Method: fast or accurate"},

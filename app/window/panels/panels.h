@@ -102,6 +102,9 @@ class SavePanel {
 
 /// The lessons that there are: in the outline, and at the end of one.
 void draw_lessons(PanelContext& context);
+/// All lessons, in the order of the course, over the whole page; at the end of one first what is to be
+/// repeated of it.
+void draw_home(PanelContext& context);
 void draw_settings(PanelContext& context);
 void draw_help(PanelContext& context);
 

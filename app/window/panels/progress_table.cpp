@@ -49,32 +49,60 @@ void draw_progress(const PanelContext& context) {
   ImGui::Spacing();
 }
 
+namespace {
+
+/// Stages with such questions, to be clicked. @returns the first of the stage that was
+std::optional<StepPlace> stages_of(PanelContext& context, const char* title,
+                                   const std::vector<PlacedAsk>& questions) {
+  std::optional<StepPlace> chosen;
+  if (questions.empty()) return chosen;
+  heading(title);
+  ImGui::PushID(title);
+  for (std::size_t i = 0; i < questions.size();) {
+    const StepPlace first = questions[i].place;
+    std::size_t count = 0;
+    for (; i < questions.size() && questions[i].place.stage == first.stage; ++i) ++count;
+    const Stage& stage = context.session.lesson().stages[first.stage];
+    RichText words = opened_by(fmt::format("{}  ", first.stage + 1), stage.title_text);
+    if (count > 1) words = in_a_row(std::move(words), words_text(fmt::format(" ({} questions)", count)));
+    if (context.texts.row(stage.id.c_str(), words)) chosen = first;
+  }
+  ImGui::PopID();
+  return chosen;
+}
+
+/// To the lesson behind this one; where that is not found its name is all there is to say.
+void go_on_to(PanelContext& context, const std::string& next) {
+  const bool is_of_course =
+      std::any_of(context.lessons.begin(), context.lessons.end(),
+                  [&](const LessonProgress& lesson) { return lesson.next == context.session.lesson().id; });
+  if (next.empty()) return plain_words(is_of_course ? "This is the last lesson of the course." : "");
+  const auto found = std::find_if(context.lessons.begin(), context.lessons.end(),
+                                  [&](const LessonProgress& lesson) { return lesson.id == next; });
+  if (found == context.lessons.end()) return quiet_words(fmt::format("To go on: polhode play {}", next));
+  if (ImGui::Button("Next lesson")) context.requests.open_lesson = next;
+  if (context.session.panel == Panel::lessons) ImGui::SetItemDefaultFocus();
+  ImGui::SameLine();
+  plain_words(found->title);
+}
+
+}  // namespace
+
 void draw_summary(PanelContext& context) {
   LessonSession& session = context.session;
-  heading("How far you have come");
-  draw_progress(context);
-  std::vector<PlacedAsk> open;
-  for (PlacedAsk& question : questions_of(session.lesson())) {
-    const auto record = session.answers().find(question.name);
-    if (record == session.answers().end() || record->second.right == 0) open.push_back(std::move(question));
-  }
-  if (!open.empty()) {
-    heading("Not yet answered right");
-    std::optional<StepPlace> chosen;
-    for (std::size_t i = 0; i < open.size();) {
-      const StepPlace first = open[i].place;
-      std::size_t count = 0;
-      for (; i < open.size() && open[i].place.stage == first.stage; ++i) ++count;
-      const Stage& stage = session.lesson().stages[first.stage];
-      RichText title = stage.title_text;
-      if (count > 1) title = in_a_row(std::move(title), words_text(fmt::format(" ({} questions)", count)));
-      if (context.texts.row(stage.id.c_str(), title)) chosen = first;
-    }
-    if (chosen) session.go_to(*chosen);
-  }
+  heading("The end of this lesson");
+  go_on_to(context, session.lesson().about.next);
   ImGui::Spacing();
-  if (const std::string& next = session.lesson().about.next; !next.empty())
-    quiet_words(fmt::format("To go on: polhode play {}", next));
+  draw_progress(context);
+  const ToRepeat repeat = to_repeat(session.lesson(), session.answers());
+  auto chosen = stages_of(context, "To repeat: not yet answered right", repeat.wrong);
+  if (const auto skipped = stages_of(context, "Passed over: not answered", repeat.skipped)) chosen = skipped;
+  if (repeat.wrong.empty() && repeat.skipped.empty() && !questions_of(session.lesson()).empty())
+    right_words("You have answered all questions right.");
+  ImGui::Spacing();
+  if (!chosen) return;
+  if (session.panel == Panel::lessons) session.panel = Panel::none;
+  session.go_to(*chosen);
 }
 
 }  // namespace polhode

@@ -10,8 +10,8 @@ namespace polhode {
 /// Nothing where the lesson asks nothing.
 void draw_progress(const PanelContext& context);
 
-/// At the end of the lesson: that, the stages with questions that were not answered right, to be clicked, and
-/// the lesson to go on with.
+/// At the end of the lesson: the one to go on with, that, and the stages with questions that were answered
+/// wrongly or passed over, to be clicked.
 void draw_summary(PanelContext& context);
 
 }  // namespace polhode

@@ -115,6 +115,7 @@ void Screen::adopt_style(const LessonSession& session, const ScreenFrame& frame)
 
 float Screen::panel_width(const LessonSession& session, Size size) const {
   if (session.panel == Panel::none) return 0;
+  if (session.panel == Panel::lessons) return static_cast<float>(size.width);
   return std::min(sizes_->panel, std::round(0.45F * static_cast<float>(size.width)));
 }
 
@@ -129,12 +130,14 @@ Region Screen::page_region(const LessonSession& session, Size size) const {
 float Screen::panel_height(const LessonSession& session, const Region& page) const {
   constexpr float kLeast = 14;  // em
   const auto ceiling = static_cast<float>(page_->page().ceiling);
+  if (session.panel == Panel::lessons) return page.height;
   if (!session.has_scene() || stands_side_by_side(whole(page)) || ceiling <= 0) return page.height;
   return std::min(page.height, std::max(ceiling, kLeast * sizes_->em));
 }
 
 /// What of the page a panel lies over.
 float Screen::covered_width(const LessonSession& session, Size size) const {
+  if (session.panel == Panel::lessons) return 0;  // over all of it, for a moment
   const Region page = page_region(session, size);
   return std::max(0.0F, page.width - (static_cast<float>(size.width) - panel_width(session, size)));
 }
@@ -331,6 +334,8 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   session.advance(was_moving_ ? std::min(frame.seconds, kLongestFrame_s) : 0);  // rest is no time that passes
   adopt_style(session, frame);
   if (shown_place_ != session.place()) {
+    if (shown_place_ && session.panel == Panel::lessons)
+      session.panel = Panel::none;  // it would hide the place
     shown_place_ = session.place();
     symbols_.forget(session);
     held_back_.reset();
@@ -348,7 +353,8 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) pointed_s_ = clock_s_;
   frames_of_tooltip_ = clock_s_ > pointed_s_ + kTooltipDelay_s ? frames_of_tooltip_ + 1 : 0;
   lay_out_controls(session, page_region(session, frame.size), frame.size);
-  if (std::exchange(requests_.next_step, false) && !holds_back(session, false)) session.next_step();
+  if (std::exchange(requests_.next_step, false) && !holds_back(session, false))
+    do_command(session, Command::next_step);
   lay_out_sliders(session);
   use_pointer(session, page_region(session, frame.size));
   if (!requests_.clipboard.empty()) copy();
@@ -435,7 +441,8 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
       .finds = std::exchange(requests_.find, false),
       .typed_to = std::exchange(requests_.type_answer_to, nullptr)};
   requests_.type_answer = false;
-  const bool lists_lessons = session.panel == Panel::outline || session.panel == Panel::question;
+  const bool lists_lessons =
+      session.panel == Panel::outline || session.panel == Panel::question || session.panel == Panel::lessons;
   if (lists_lessons && find_lessons_) lessons_ = std::exchange(find_lessons_, nullptr)();
   panels_.begin_frame();
   texts_->begin_frame(session.lesson(), session.step(), session.preferences.theme, sizes_->em);
@@ -450,7 +457,7 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
 void Screen::lay_out_sliders(LessonSession& session) {
   varies_ = false;
   const PixelBox& at = page_->page().figure;
-  if (session.is_black() || at.width() <= 0) return;
+  if (session.is_black() || session.panel == Panel::lessons || at.width() <= 0) return;
   // What of it is beside a panel, or as much as these need.
   constexpr float kLeastRoom = 18;  // em
   const ImVec2& size = ImGui::GetIO().DisplaySize;

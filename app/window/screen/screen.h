@@ -152,7 +152,7 @@ class Screen {
   std::string menu_of_{};      ///< the symbol or link that it was opened on; empty: none
   int frames_of_tooltip_ = 0;  ///< since the pointer has rested for as long as a tooltip waits
   bool is_full_ = true, was_moving_ = false;
-  StepPlace shown_place_{};
+  std::optional<StepPlace> shown_place_{};
   std::optional<StepPlace> held_back_{};                       ///< where one was asked to answer first
   bool panel_takes_focus_ = false;                             ///< it was opened by a key
   std::function<std::vector<LessonProgress>()> find_lessons_;  ///< null: asked already, or there are none

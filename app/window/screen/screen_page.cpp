@@ -112,7 +112,8 @@ void Screen::draw_invitation(const LessonSession& session) {
                         session.panel == Panel::none && session.t_s() == still_time_s(session.lesson_scene());
   const PixelBox& column = page_->page().column;
   if (!is_new || !is_still || page_->page().overflow > 0 || column.width() <= 0) return;
-  const std::string words = "Space plays, a drag turns the figure, → goes on, ? shows all keys.";
+  const std::string words =
+      "Space plays, a drag turns the figure, → goes on, Ctrl+L lists the lessons, ? all keys.";
   ImGui::GetBackgroundDrawList()->AddText(
       {static_cast<float>(column.x0), static_cast<float>(column.y1) - 1.2F * sizes_->em},
       ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());

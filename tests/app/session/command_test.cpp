@@ -209,7 +209,10 @@ TEST(Command, TellsWhyItHasNothingToDo) {
   for (const char* key : {"Space", "Shift+Right", ">", "0", "V", "Ctrl+Up", "Z", "C", "G", "]", "R"})
     EXPECT_EQ(why(key), "This step has no figure.") << key;
   session.go_to({2, 0});
+  EXPECT_EQ(why("Right"), "") << "behind the end is the list of lessons";
+  session.panel = Panel::lessons;
   EXPECT_EQ(why("Right"), "This is the end.");
+  session.panel = Panel::none;
   EXPECT_EQ(why("Down"), "This is the last stage.");
   session.set_speaker(true);
   for (const char* key : {".", "L", "H"}) EXPECT_EQ(why(key), "") << key;
@@ -230,6 +233,19 @@ TEST(Command, IsIdleJustWhereItChangesNothing) {
       if (why_idle(session, facts.command).empty() || !do_command(session, facts.command)) continue;
       EXPECT_TRUE(seen(session) == before) << facts.does << " in stage " << stage;
     }
+}
+
+TEST(Command, LeadsBehindTheEndToTheLessons) {
+  LessonSession session(example());
+  session.go_to({2, 0});
+  do_command(session, Command::next_step);
+  EXPECT_EQ(session.panel, Panel::lessons);
+  EXPECT_EQ(session.place(), (StepPlace{2, 0}));
+  session.panel = Panel::none;
+  session.set_presenting(true);
+  EXPECT_EQ(why_idle(session, Command::next_step), "This is the end.") << "an audience is shown no answers";
+  do_command(session, Command::next_step);
+  EXPECT_EQ(session.panel, Panel::none);
 }
 
 TEST(Command, WalksPastWhatIsNotForThisClass) {

@@ -99,18 +99,18 @@ struct OpenPanel {
   const char* key;
   Panel panel;
 };
-constexpr OpenPanel kOpen[] = {{"O", Panel::outline},   {"B", Panel::body},     {"M", Panel::method},
-                               {"S", Panel::show},      {"Q", Panel::question}, {"E", Panel::save},
-                               {"F2", Panel::settings}, {"?", Panel::help}};
+constexpr OpenPanel kOpen[] = {{"O", Panel::outline},   {"B", Panel::body},         {"M", Panel::method},
+                               {"S", Panel::show},      {"Q", Panel::question},     {"E", Panel::save},
+                               {"F2", Panel::settings}, {"Ctrl+L", Panel::lessons}, {"?", Panel::help}};
 
 TEST_F(PanelKeys, DoInEveryPanelWhatTheyDoOnThePage) {
   using C = Command;
   const std::set<std::string> moving = {"Left", "Right",     "Up",     "Down",     "Space", "Enter",
                                         "Tab",  "Shift+Tab", "PageUp", "PageDown", "Home",  "End"};
   const std::set<std::string> scrolling = {"Up", "Down", "PageUp", "PageDown", "Home", "End"};
-  const std::set<Command> of_panels = {C::outline,  C::body,         C::method,   C::show,
-                                       C::question, C::save,         C::settings, C::help,
-                                       C::leave,    C::switch_focus, C::explain,  C::find};
+  const std::set<Command> of_panels = {C::outline, C::body,     C::method, C::show,  C::question,
+                                       C::save,    C::settings, C::help,   C::leave, C::switch_focus,
+                                       C::explain, C::find,     C::lessons};
   int pressed = 0;
   for (const bool presents : {false, true}) {
     std::map<std::string, std::string> on_page;
