@@ -14,10 +14,14 @@ namespace polhode {
 
 namespace {
 
-constexpr float kNarrow = 74;  // em: below it there are two rows
+constexpr float kNarrow = 74;     // em: below it there are two rows
+constexpr float kTight = 41;      // em: below it buttons have no words that have an icon
+constexpr float kVeryTight = 36;  // em: below it single frames have their keys alone
 constexpr std::array kSpeeds = {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0, 4.0, 8.0, 16.0};
 
 bool is_narrow(const ControlSizes& sizes, float width) { return width < kNarrow * sizes.em; }
+bool is_tight(const ControlSizes& sizes, float width) { return width < kTight * sizes.em; }
+bool is_very_tight(const ControlSizes& sizes, float width) { return width < kVeryTight * sizes.em; }
 
 /// Of a scene whose motion is shown at `rate` seconds a second where the speed is 1: "real time ÷ 22".
 std::string speed_text(double rate, double speed) {
@@ -27,16 +31,16 @@ std::string speed_text(double rate, double speed) {
   return ratio > 1 ? fmt::format("real time × {:.3g}", ratio) : fmt::format("real time ÷ {:.3g}", 1 / ratio);
 }
 
-void draw_walk(PanelContext& context) {
+void draw_walk(PanelContext& context, bool has_words) {
   LessonSession& session = context.session;
-  const float em = context.sizes.em;
+  const float width = (has_words ? 4.9F : 2.1F) * context.sizes.em;
   ImGui::BeginDisabled(!session.previous_place());
-  if (icon_button("back", Icon::back, "Back", told(Command::previous_step), 4.9F * em))
+  if (icon_button("back", Icon::back, has_words ? "Back" : "", told(Command::previous_step), width))
     session.previous_step();
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(!why_idle(session, Command::next_step).empty());
-  if (icon_button("next", Icon::next, "Next", told(Command::next_step), 4.9F * em))
+  if (icon_button("next", Icon::next, has_words ? "Next" : "", told(Command::next_step), width))
     context.requests.next_step = true;
   ImGui::EndDisabled();
 }
@@ -57,23 +61,28 @@ void draw_speed(LessonSession& session, float width) {
 }
 
 /// `width` is that of all together.
-void draw_time(PanelContext& context, float width) {
+void draw_time(PanelContext& context, float width, bool has_frames) {
   LessonSession& session = context.session;
   const float em = context.sizes.em, gap = ImGui::GetStyle().ItemSpacing.x;
-  const float icon = 2.1F * em, number = 6.2F * em, speed = 9.2F * em;
+  const float icon = 2.1F * em, number = 5.2F * em, speed = 8.2F * em, close = 0.3F * gap;
   if (icon_button("reset", Icon::reset, "", told(Command::reset_time), icon)) session.reset_time();
-  ImGui::SameLine(0, 0.3F * gap);
-  if (icon_button("frame back", Icon::frame_back, "", told(Command::frame_back), icon))
-    session.step_frames(-1);
-  ImGui::SameLine(0, 0.3F * gap);
+  ImGui::SameLine(0, close);
+  if (has_frames) {
+    if (icon_button("frame back", Icon::frame_back, "", told(Command::frame_back), icon))
+      session.step_frames(-1);
+    ImGui::SameLine(0, close);
+  }
   const bool playing = session.is_playing();
   if (icon_button("play", playing ? Icon::pause : Icon::play, "", told(Command::play_pause), icon))
     session.set_playing(!playing);
-  ImGui::SameLine(0, 0.3F * gap);
-  if (icon_button("frame forward", Icon::frame_forward, "", told(Command::frame_forward), icon))
-    session.step_frames(1);
+  if (has_frames) {
+    ImGui::SameLine(0, close);
+    if (icon_button("frame forward", Icon::frame_forward, "", told(Command::frame_forward), icon))
+      session.step_frames(1);
+  }
   ImGui::SameLine();
-  const float line = width - 4 * icon - 0.9F * gap - number - speed - 3 * gap;
+  const float buttons = has_frames ? 4 * icon + 3 * close : 2 * icon + close;
+  const float line = width - buttons - number - speed - 3 * gap;
   if (const auto t =
           time_line(session.time_line(), session.t_s(), session.shown_flips(), std::max(4 * em, line))) {
     session.set_playing(false);
@@ -145,7 +154,7 @@ float panel_buttons_width() {
 }  // namespace
 
 float bar_height(const ControlSizes& sizes, float width) {
-  return is_narrow(sizes, width) ? std::round(1.8F * sizes.bar) : sizes.bar;
+  return is_narrow(sizes, width) ? std::round(1.6F * sizes.bar) : sizes.bar;
 }
 
 void draw_bar(PanelContext& context, const Region& region) {
@@ -167,16 +176,32 @@ void draw_bar(PanelContext& context, const Region& region) {
   list.AddLine({region.x, region.y + 0.5F}, {region.x + region.width, region.y + 0.5F},
                ImGui::GetColorU32(ImGuiCol_Border));
   list.PopClipRect();
-  draw_walk(context);
-  const float gap = 2 * style.ItemSpacing.x, left = ImGui::GetItemRectMax().x + gap;
-  const float right =
-      region.x + region.width - context.sizes.padding * 1.4F - (narrow ? 0 : panel_buttons_width() + gap);
-  if (context.session.has_scene()) {
+  // Where there are two rows time has one of them, and the panels stand beside Back and Next.
+  const float gap = 2 * style.ItemSpacing.x, edge = region.x + region.width - context.sizes.padding * 1.4F;
+  const bool has_time = context.session.has_scene();
+  if (narrow) {
+    if (has_time)
+      draw_time(context, edge - ImGui::GetCursorScreenPos().x, !is_very_tight(context.sizes, region.width));
+    else
+      ImGui::Dummy({1, frame});
+    draw_walk(context, !is_tight(context.sizes, region.width));
     ImGui::SameLine(0, gap);
-    draw_time(context, right - left);
+  } else {
+    draw_walk(context, true);
+    const float left = ImGui::GetItemRectMax().x + gap, right = edge - panel_buttons_width() - gap;
+    if (has_time) {
+      ImGui::SameLine(0, gap);
+      draw_time(context, right - left, true);
+    }
+    ImGui::SameLine(right + gap - region.x);
   }
-  if (!narrow) ImGui::SameLine(right + gap - region.x);
+  // Where there is not room for all, each gives some of its own.
+  const float room = edge - ImGui::GetCursorScreenPos().x, lacks = panel_buttons_width() - room,
+              each = lacks > 0 ? lacks / (2 * static_cast<float>(kPanels.size())) : 0;
+  const ImVec2 padding{std::max(2.0F, std::floor(style.FramePadding.x - each)), style.FramePadding.y};
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
   draw_panel_buttons(context);
+  ImGui::PopStyleVar();
   ImGui::End();
 }
 
