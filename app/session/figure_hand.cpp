@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace polhode {
 
@@ -33,6 +34,29 @@ std::optional<TipOnScreen> tip_near(const LessonSession& session, const std::vec
   return near;
 }
 
+std::optional<TipOnScreen> tip_in(const LessonSession& session, const std::vector<Inset>& insets,
+                                  std::size_t inset, std::size_t pane) {
+  for (const TipOnScreen& tip : omega_tips(*session.model(), session.t_s(), insets))
+    if (tip.inset == inset && tip.pane == pane) return tip;
+  return std::nullopt;
+}
+
+/// By which factor an arrow gets longer that is pulled by so many px. One that is seen from its end is short,
+/// and is not pulled to nothing at once.
+double pulled(const TipOnScreen& tip, const Vec2& by) {
+  constexpr double kLeastLength = 40, kMost = 1.25;  // px; of one movement
+  const Vec2 arrow(tip.x - tip.x0, tip.y - tip.y0);
+  const double length = arrow.norm();
+  const Vec2 along = length > 1 ? Vec2(arrow / length) : Vec2(0, -1);
+  return std::clamp(1 + by.dot(along) / std::max(length, kLeastLength), 1 / kMost, kMost);
+}
+
+/// What it judges is the start of the motion.
+bool asks_for_state(const LessonSession& session) {
+  const std::vector<const Ask*> asks = session.questions();
+  return std::any_of(asks.begin(), asks.end(), [](const Ask* ask) { return ask->task != nullptr; });
+}
+
 /// Whether a question of the step lets ω be changed and the attitude not.
 bool asks_for_omega_alone(const LessonSession& session) {
   const std::vector<const Ask*> asks = session.questions();
@@ -53,6 +77,7 @@ FigureHand::On FigureHand::under(const LessonSession& session, const std::vector
 FigureHand::On FigureHand::take(LessonSession& session, const std::vector<Inset>& insets, const Vec2& at,
                                 double reach) {
   held_ = On::nothing;
+  has_scaled_ = false;
   if (session.model() == nullptr) return held_;
   const auto inset = inset_at(insets, at);
   if (!inset) return held_;
@@ -69,7 +94,7 @@ FigureHand::On FigureHand::take(LessonSession& session, const std::vector<Inset>
 }
 
 std::string FigureHand::drag(LessonSession& session, const std::vector<Inset>& insets, const Vec2& at,
-                             double dx, double dy) {
+                             double dx, double dy, bool scales) {
   if (session.model() == nullptr) held_ = On::nothing;
   if (held_ == On::nothing || inset_ >= insets.size() || (dx == 0 && dy == 0)) return {};
   const Inset& inset = insets[inset_];
@@ -77,10 +102,17 @@ std::string FigureHand::drag(LessonSession& session, const std::vector<Inset>& i
     session.set_camera(orbited(session.model()->scene.camera, dx, dy, inset.place.height));
     return {};
   }
+  const double t_s = session.t_s();
+  const bool keeps_L = asks_for_omega_alone(session);
+  const auto tip = tip_in(session, insets, inset_, pane_);
+  if (tip && std::exchange(has_scaled_, scales)) off_ = Vec2(tip->x, tip->y) - at + Vec2(dx, dy);
   const Vec2 to = at + off_;
-  const auto grabbed =
-      omega_at(*session.model(), session.t_s(), inset, pane_, to.x(), to.y(), asks_for_omega_alone(session));
+  auto grabbed = scales && tip
+                     ? scaled_omega(*session.model(), t_s, inset, pane_, pulled(*tip, Vec2(dx, dy)), keeps_L)
+                     : omega_at(*session.model(), t_s, inset, pane_, to.x(), to.y(), keeps_L);
   if (!grabbed) return {};
+  const bool keeps_t =
+      t_s != 0 && !asks_for_state(session) && begin_before(*session.model(), t_s, inset, pane_, *grabbed);
   off_ += grabbed->offset;
   SceneEdits edits = session.edits();
   edits.w0_B = grabbed->w0_B;
@@ -89,6 +121,7 @@ std::string FigureHand::drag(LessonSession& session, const std::vector<Inset>& i
   if (grabbed->attitude) edits.attitude = grabbed->attitude;
   edits.camera = grabbed->camera;
   const Status made = session.set_edits(edits);
+  if (made && keeps_t) session.scrub_to(t_s);
   return made ? "" : made.error();
 }
 

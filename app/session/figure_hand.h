@@ -24,16 +24,19 @@ class FigureHand {
                   double reach);
   /// Takes it. For ω's tip the motion stops.
   On take(LessonSession& session, const std::vector<Inset>& insets, const Vec2& at, double reach);
-  /// Moves what is held to the point, by (dx, dy) px since the last time.
+  /// Moves what is held to the point, by (dx, dy) px since the last time. The motion goes on from its present
+  /// t where a closed form leads back from there, and unless a question judges what it begins with.
+  /// @param scales pulls at the length of ω, along its arrow: its energy is not kept
   /// @returns why ω cannot be what it was dragged to; empty: it is
   std::string drag(LessonSession& session, const std::vector<Inset>& insets, const Vec2& at, double dx,
-                   double dy);
+                   double dy, bool scales = false);
   void let_go() { held_ = On::nothing; }
 
  private:
   On held_ = On::nothing;
   std::size_t inset_ = 0, pane_ = 0;  ///< where it was taken
   Vec2 off_{0, 0};                    ///< px from the pointer to the tip that it holds
+  bool has_scaled_ = false;           ///< since then the pointer is elsewhere
 };
 
 }  // namespace polhode

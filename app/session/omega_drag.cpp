@@ -3,6 +3,7 @@
 
 #include "physics/body/euler.h"
 #include "physics/geometry/poinsot.h"
+#include "physics/method.h"
 #include "render/figure/omega_tip.h"
 #include "render/scene/model/scene_problem.h"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 namespace polhode {
 
@@ -196,33 +198,12 @@ Vec2 offset_of(const SceneModel& model, double t_s, const Inset& inset, std::siz
   return from && to ? Vec2(*to - *from) : Vec2(0, 0);
 }
 
-}  // namespace
-
-std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets) {
-  std::vector<TipOnScreen> tips;
-  if (insets.empty() || !shows_space(model.drawn, model.needs.marks)) return tips;
-  const PixelRect& place = insets.front().place;
-  const std::vector<Pane>& panes = insets.front().figure.panes;
-  if (panes.size() != model.scene.views.size()) return tips;
-  for (std::size_t k = 0; k < panes.size(); ++k) {
-    const auto drawn = drawn_omega(model, t_s, k, aspect_of(place));
-    const auto at = drawn ? on_page(*drawn, rect_of(panes[k], place)) : std::nullopt;
-    if (at) tips.push_back({0, k, model.scene.views[k], at->x(), at->y()});
-  }
-  return tips;
-}
-
-std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const Inset& inset,
-                                     std::size_t pane, double x, double y, bool keeps_L) {
+/// What of the motion a hand keeps that takes it now, in the present ω.
+std::optional<GrabbedOmega> held_now(const SceneModel& model, double t_s, const RigidBodyState& now,
+                                     const Inset& inset, std::size_t pane, bool keeps_L) {
   const bool is_pane =
       pane < inset.figure.panes.size() && inset.figure.panes.size() == model.scene.views.size();
-  if (!is_pane || !std::isfinite(x) || !std::isfinite(y)) return std::nullopt;
-  const PrincipalMoments& I = model.scene.body.moments;
-  const RigidBodyState now = model.motion->at(t_s);
-  if (!now.w_B.allFinite() || !now.q_SB.coeffs().allFinite()) return std::nullopt;
-  // Free motion keeps the energy of its start, also where a method does not.
-  const double two_T = 2.0 * kinetic_energy(I, model.scene.torque.empty() ? model.scene.w0_B : now.w_B);
-  if (!(two_T > 0.0) || !std::isfinite(two_T)) return std::nullopt;
+  if (!is_pane || !now.w_B.allFinite() || !now.q_SB.coeffs().allFinite()) return std::nullopt;
   const bool holds_L = !model.scene.attitude || std::holds_alternative<LPoints>(*model.scene.attitude);
   const std::vector<const SceneModel*> shown = shown_models(model);  // they go along with it
   const bool has_plane = std::any_of(
@@ -238,13 +219,102 @@ std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const 
         std::remainder(camera.azimuth_rad + turned_at_start(model.scene, now), 2.0 * std::numbers::pi);
   keep_frame(camera, model, inset, pane, attitude, now.w_B);
   const Vec2 offset = offset_of(model, t_s, inset, pane, attitude, camera, now.w_B);
+  return GrabbedOmega{now.w_B, attitude, camera, offset};
+}
+
+}  // namespace
+
+std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets) {
+  std::vector<TipOnScreen> tips;
+  if (insets.empty() || !shows_space(model.drawn, model.needs.marks)) return tips;
+  const PixelRect& place = insets.front().place;
+  const std::vector<Pane>& panes = insets.front().figure.panes;
+  if (panes.size() != model.scene.views.size()) return tips;
+  for (std::size_t k = 0; k < panes.size(); ++k) {
+    const auto drawn = drawn_omega(model, t_s, k, aspect_of(place));
+    const auto at = drawn ? on_page(*drawn, rect_of(panes[k], place)) : std::nullopt;
+    if (!at) continue;
+    const auto from = on_page({Vec3::Zero(), drawn->camera}, rect_of(panes[k], place));
+    const Vec2 tail = from ? *from : *at;
+    tips.push_back({0, k, model.scene.views[k], at->x(), at->y(), tail.x(), tail.y()});
+  }
+  return tips;
+}
+
+std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const Inset& inset,
+                                     std::size_t pane, double x, double y, bool keeps_L) {
+  if (!std::isfinite(x) || !std::isfinite(y)) return std::nullopt;
+  const RigidBodyState now = model.motion->at(t_s);
+  auto held = held_now(model, t_s, now, inset, pane, keeps_L);
+  if (!held) return std::nullopt;
+  const PrincipalMoments& I = model.scene.body.moments;
+  // Free motion keeps the energy of its start, also where a method does not.
+  const double two_T = 2.0 * kinetic_energy(I, model.scene.torque.empty() ? model.scene.w0_B : now.w_B);
+  if (!(two_T > 0.0) || !std::isfinite(two_T)) return std::nullopt;
   const Vec3 semi_axes = energy_ellipsoid_semi_axes(I, two_T);
   const Vec3 start = now.w_B.cwiseQuotient(semi_axes).normalized();
   if (!start.allFinite()) return std::nullopt;
-  OmegaSearch search(model, inset, pane, Vec2(x, y) + offset, semi_axes, attitude, camera);
+  OmegaSearch search(model, inset, pane, Vec2(x, y) + held->offset, semi_axes, held->attitude, held->camera);
   const auto w0_B = search.from(start);
   if (!w0_B) return std::nullopt;
-  return GrabbedOmega{*w0_B, attitude, camera, offset};
+  held->w0_B = *w0_B;
+  return held;
+}
+
+std::optional<GrabbedOmega> scaled_omega(const SceneModel& model, double t_s, const Inset& inset,
+                                         std::size_t pane, double factor, bool keeps_L) {
+  const RigidBodyState now = model.motion->at(t_s);
+  auto held = held_now(model, t_s, now, inset, pane, keeps_L);
+  if (!held || !std::isfinite(factor) || !(factor > 0) || now.w_B.isZero(0)) return std::nullopt;
+  held->w0_B = factor * now.w_B;
+  return held;
+}
+
+bool begin_before(const SceneModel& model, double t_s, const Inset& inset, std::size_t pane,
+                  GrabbedOmega& grabbed) {
+  constexpr double kUnseen = 1e-6;  // of a radian, and of ω
+  const std::vector<View>& views = model.scene.views;
+  const bool is_alone = model.beside.empty();  // others would begin elsewhere too
+  if (!is_alone || (!grabbed.attitude && views.size() != 1)) return false;
+  Scene scene = model.scene;
+  scene.w0_B = grabbed.w0_B;
+  if (grabbed.attitude) scene.attitude = grabbed.attitude;
+  Problem problem = problem_of(scene);
+  const RigidBodyState then = problem.start;
+  const auto closed = closed_form(problem);
+  const auto& named = model.scene.motion.method;
+  if (!closed || (named && *named != *closed && *named != Method::uniform)) return false;
+  const MethodChoice choice{.method = *closed};
+  RigidBodyState start, reached;
+  try {
+    start = make_motion(problem, choice)->at(-t_s);
+    if (!start.w_B.allFinite() || !start.q_SB.coeffs().allFinite()) return false;
+    problem.start = start;
+    if (!grabbed.attitude) {  // L is where the scene holds it, and the body is turned about it
+      scene.w0_B = start.w_B;
+      problem = problem_of(scene);
+    }
+    reached = make_motion(problem, choice)->at(t_s);
+  } catch (const std::domain_error&) {
+    return false;
+  }
+  if (!reached.w_B.allFinite() || !((reached.w_B - then.w_B).norm() < kUnseen * then.w_B.norm()))
+    return false;
+  if (grabbed.attitude && !(reached.q_SB.angularDistance(then.q_SB) < kUnseen)) return false;
+  grabbed.w0_B = start.w_B;
+  if (grabbed.attitude) grabbed.attitude = start.q_SB;
+  // The frame is that of this beginning, not of one at the moment.
+  CameraSpec camera = held_by_hand(model.scene);
+  camera.azimuth_rad = grabbed.camera.azimuth_rad;
+  if (!grabbed.attitude && views.front() == View::space) {
+    const Quat turn = reached.q_SB * then.q_SB.inverse();
+    camera.azimuth_rad =
+        std::remainder(camera.azimuth_rad + 2.0 * std::atan2(turn.z(), turn.w()), 2.0 * std::numbers::pi);
+  }
+  keep_frame(camera, model, inset, pane, grabbed.attitude, start.w_B);
+  grabbed.camera = camera;
+  grabbed.offset = Vec2(0, 0);
+  return true;
 }
 
 }  // namespace polhode

@@ -15,7 +15,8 @@ struct TipOnScreen {
   std::size_t inset = 0;  ///< of the page
   std::size_t pane = 0;
   View view = View::space;
-  double x = 0, y = 0;  ///< px of the page
+  double x = 0, y = 0;    ///< px of the page
+  double x0 = 0, y0 = 0;  ///< where the arrow begins
 };
 /// Of every pane of the model's own space, the first inset, that shows ω; empty if none does. What stands
 /// beside it is not taken hold of.
@@ -40,5 +41,17 @@ struct GrabbedOmega {
 ///   which is seen only where L points down
 std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const Inset& inset,
                                      std::size_t pane, double x, double y, bool keeps_L = false);
+
+/// The same with an ω of `factor` times the present length: its energy is another. The tip is nowhere in
+/// particular.
+std::optional<GrabbedOmega> scaled_omega(const SceneModel& model, double t_s, const Inset& inset,
+                                         std::size_t pane, double factor, bool keeps_L = false);
+
+/// Makes of what was grabbed at t what reaches it at t instead of beginning with it: ω and attitude at t = 0,
+/// and the camera from which it is seen as it is held. False, with nothing changed, where no closed form
+/// leads back from t, where so many digits are lost on the way that one would see it, or for a picture that
+/// is turned otherwise on the way.
+bool begin_before(const SceneModel& model, double t_s, const Inset& inset, std::size_t pane,
+                  GrabbedOmega& grabbed);
 
 }  // namespace polhode

@@ -12,15 +12,18 @@ std::string FigureDrag::use_mouse(LessonSession& session, const std::vector<Inse
   using On = FigureHand::On;
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.MouseDown[0] || session.model() == nullptr) hand_.let_go();
+  is_near_ = false;
   if (session.model() == nullptr) return {};
   const Vec2 at(io.MousePos.x, io.MousePos.y);
   const On under = on_page ? FigureHand::under(session, insets, at, reach) : On::nothing;
+  is_near_ = under == On::omega && !io.MouseDown[0];
+  scales_ = io.KeyShift;
   const bool over = under != On::nothing;
   if (over && io.MouseClicked[0]) hand_.take(session, insets, at, reach);
   if (under == On::omega || holds_omega()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   if (over && io.MouseDoubleClicked[0]) session.set_camera(session.lesson_scene().camera);
   if (over && io.MouseWheel != 0) session.set_camera(zoomed(session.model()->scene.camera, io.MouseWheel));
-  return hand_.drag(session, insets, at, io.MouseDelta.x, io.MouseDelta.y);
+  return hand_.drag(session, insets, at, io.MouseDelta.x, io.MouseDelta.y, scales_);
 }
 
 }  // namespace polhode

@@ -13,6 +13,8 @@ class FigureDrag {
  public:
   bool is_held() const { return hand_.held() != FigureHand::On::nothing; }
   bool holds_omega() const { return hand_.held() == FigureHand::On::omega; }
+  bool is_near_omega() const { return is_near_; }  ///< a press would take it by its tip
+  bool scales_omega() const { return holds_omega() && scales_; }
 
   /// What ImGui's io has of the mouse in this frame, done to the session.
   /// @param insets of the page that is shown
@@ -23,6 +25,7 @@ class FigureDrag {
 
  private:
   FigureHand hand_;
+  bool is_near_ = false, scales_ = false;
 };
 
 }  // namespace polhode

@@ -2,8 +2,10 @@
 #include "app/window/screen/figure_marks.h"
 
 #include "app/session/omega_drag.h"
+#include "app/session/symbol_note.h"
 #include "app/window/controls/widgets.h"
 #include "lessons/reader/questions/state_task.h"
+#include "physics/body/euler.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -19,6 +21,17 @@ bool is_to_be_dragged(const LessonSession& session) {
   return !session.is_aside() && std::any_of(asks.begin(), asks.end(), [](const Ask* ask) {
     return ask->task && ask->task->change.contains(Steered::omega);
   });
+}
+
+std::string words_at_tip(const LessonSession& session, TipHand hand) {
+  if (hand == TipHand::away) return "drag";
+  if (hand == TipHand::near) return "drag: another ω with the same T; Shift: its length";
+  const SceneModel& model = *session.model();
+  const Vec3 w = model.motion->w_B_at(session.t_s());
+  const std::string omega = fmt::format("ω = ({:.3g}, {:.3g}, {:.3g}) rad/s", w[0], w[1], w[2]);
+  if (hand == TipHand::turns) return omega + ", T kept";
+  return fmt::format("{}, T = {} J, not kept", omega,
+                     readable(kinetic_energy(model.scene.body.moments, w), 3));
 }
 
 void label(ImDrawList& list, ImVec2 at, const std::string& words, float pad) {
@@ -58,19 +71,16 @@ std::string words_of_chip(const LessonSession& session) {
 
 }  // namespace
 
-void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& insets, bool is_held,
+void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& insets, TipHand hand,
                      float right, const ControlSizes& sizes) {
-  const bool asks = is_to_be_dragged(session);
-  if ((!asks && !is_held) || session.model() == nullptr) return;
+  if ((!is_to_be_dragged(session) && hand == TipHand::away) || session.model() == nullptr) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float radius = 0.7F * sizes.em;
+  const std::string words = words_at_tip(session, hand);
   for (const TipOnScreen& tip : omega_tips(*session.model(), session.t_s(), insets)) {
     const ImVec2 at{static_cast<float>(tip.x), static_cast<float>(tip.y)};
     list.AddCircle(at, radius, ImGui::GetColorU32(ImGuiCol_WindowBg), 32, 0.3F * sizes.em);
     list.AddCircle(at, radius, ImGui::GetColorU32(ImGuiCol_NavHighlight), 32, 0.13F * sizes.em);
-    const Vec3& w = session.model()->scene.w0_B;
-    const std::string words =
-        is_held ? fmt::format("ω = ({:.3g}, {:.3g}, {:.3g}) rad/s, T kept", w[0], w[1], w[2]) : "drag";
     const float beside = at.x + 1.6F * radius, last = right - ImGui::CalcTextSize(words.c_str()).x - sizes.em;
     // One that has to reach over the ring stands above it.
     label(list, {std::min(beside, last), at.y - (beside > last ? 3.2F : 2.2F) * radius}, words,

@@ -9,9 +9,12 @@
 
 namespace polhode {
 
-/// A ring round the tip of ω where a question asks to drag it; while it is held, its components, which end
-/// before `right`.
-void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& insets, bool is_held,
+/// What a hand has to do with the tip of ω.
+enum class TipHand { away, near, turns, scales };
+
+/// A ring round the tip of ω where a question asks to drag it, and where a hand is near; while it is held,
+/// its components and what is kept. The words end before `right`.
+void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& insets, TipHand hand,
                      float right, const ControlSizes& sizes);
 
 /// In an upper corner of the figure, the region, clear of the tips of ω: that the scene was changed, or is

@@ -469,7 +469,11 @@ void Screen::lay_out_sliders(LessonSession& session) {
   const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);
-  draw_drag_marks(session, page_->insets(), drag_.holds_omega(), right, *sizes_);
+  const TipHand hand = drag_.scales_omega()    ? TipHand::scales
+                       : drag_.holds_omega()   ? TipHand::turns
+                       : drag_.is_near_omega() ? TipHand::near
+                                               : TipHand::away;
+  draw_drag_marks(session, page_->insets(), hand, right, *sizes_);
   draw_scene_chip(session, page_->insets(), drag_.holds_omega(), figure, *sizes_);
 }
 

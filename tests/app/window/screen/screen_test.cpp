@@ -209,6 +209,51 @@ TEST_F(ScreenTest, TheTipOfOmegaIsTakenElsewhere) {
   EXPECT_LT((Vec2(now[0].x, now[0].y) - target).norm(), 4);
 }
 
+// 2026-11-26: the body jumped, and t went back to 0. A touch changes nothing that is seen.
+TEST_F(ScreenTest, AHandThatTakesOmegaKeepsTheMoment) {
+  const auto& stages = session.lesson().stages;
+  int tried = 0;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    session.go_to({i, 0});
+    if (!session.has_scene() || !session.model()->beside.empty()) continue;
+    session.scrub_to(0.7);
+    frame(3);
+    const auto tips = omega_tips(*session.model(), session.t_s(), screen->page().insets());
+    if (tips.empty() || session.model()->scene.views.size() != 1) continue;
+    const RigidBodyState before = session.model()->motion->at(0.7);
+    drag(tips[0].x, tips[0].y, tips[0].x + 1, tips[0].y);
+    if (session.edits().w0_B) {
+      ++tried;
+      EXPECT_NEAR(session.t_s(), 0.7, 1e-12) << stages[i].id;
+      const RigidBodyState after = session.model()->motion->at(session.t_s());
+      EXPECT_LT((after.w_B - before.w_B).norm(), 0.2 * before.w_B.norm()) << stages[i].id;
+      const auto now = omega_tips(*session.model(), session.t_s(), screen->page().insets());
+      ASSERT_FALSE(now.empty());
+      EXPECT_LT(std::hypot(now[0].x - tips[0].x, now[0].y - tips[0].y), 6) << stages[i].id;
+    }
+    session.reset_edits();
+  }
+  EXPECT_GT(tried, 3);
+}
+
+TEST_F(ScreenTest, WithShiftAHandChangesTheLengthOfOmega) {
+  session.go_to({18, 1});
+  session.scrub_to(0.4);
+  frame(3);
+  const auto tips = omega_tips(*session.model(), session.t_s(), screen->page().insets());
+  ASSERT_FALSE(tips.empty());
+  const Vec2 arrow(tips[0].x - tips[0].x0, tips[0].y - tips[0].y0);
+  const Vec2 to = Vec2(tips[0].x, tips[0].y) + 0.4 * arrow;
+  const Vec3 before = session.model()->motion->w_B_at(session.t_s());
+  ImGui::GetIO().KeyShift = true;
+  drag(tips[0].x, tips[0].y, to.x(), to.y());
+  ImGui::GetIO().KeyShift = false;
+  const Vec3 after = session.model()->motion->w_B_at(session.t_s());
+  EXPECT_GT(after.norm(), 1.2 * before.norm());
+  EXPECT_LT(after.normalized().cross(before.normalized()).norm(), 1e-5) << "its direction stays";
+  EXPECT_NEAR(session.t_s(), 0.4, 1e-12);
+}
+
 // Its panel follows the hand, and the answer is what is there when Check is pressed.
 TEST_F(ScreenTest, AStateIsReachedByDraggingOmega) {
   const auto& stages = session.lesson().stages;
