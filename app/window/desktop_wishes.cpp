@@ -24,11 +24,15 @@ std::string value_in(const std::string& line, std::size_t variant) {
   return value;
 }
 
-void take(const std::string& key, const std::string& value, DesktopWishes& wishes) {
-  const bool is_dark = value == "1" || value == "prefer-dark";
-  if (key == "color-scheme" && is_dark) wishes.theme = Theme::dark;
-  if (key == "color-scheme" && (value == "2" || value == "prefer-light") && !wishes.theme)
-    wishes.theme = Theme::paper;
+/// A setting: of the portal's own, which every desktop answers for, or of a desktop's older ones.
+struct Taken {
+  DesktopWishes of_portal, of_desktop;
+};
+
+void take(const std::string& group, const std::string& key, const std::string& value, Taken& taken) {
+  DesktopWishes& wishes = group == "org.freedesktop.appearance" ? taken.of_portal : taken.of_desktop;
+  if (key == "color-scheme" && (value == "1" || value == "prefer-dark")) wishes.theme = Theme::dark;
+  if (key == "color-scheme" && (value == "2" || value == "prefer-light")) wishes.theme = Theme::paper;
   const bool stands = (key == "reduced-motion" && value == "1") ||
                       (key == "enable-animations" && value == "false") ||
                       (key == "AnimationDurationFactor" && value == "0");
@@ -52,15 +56,18 @@ std::vector<std::string> question_to_desktop() {
 }
 
 DesktopWishes wishes_in(std::string_view answer) {
-  DesktopWishes wishes;
+  Taken taken;
   std::istringstream lines{std::string(answer)};
-  std::string line, key;
+  std::string line, group, key;
   while (std::getline(lines, line)) {
     const std::size_t variant = line.find("variant");
-    if (variant != line.npos && !key.empty()) take(key, value_in(line, variant), wishes);
+    if (variant != line.npos && !key.empty()) take(group, key, value_in(line, variant), taken);
     key = variant == line.npos ? first_quoted(line) : "";
+    if (key.starts_with("org.")) group = key;
   }
-  return wishes;
+  const DesktopWishes &portal = taken.of_portal, &desktop = taken.of_desktop;
+  return {portal.theme ? portal.theme : desktop.theme,
+          portal.reduced_motion ? portal.reduced_motion : desktop.reduced_motion};
 }
 
 bool follow(const DesktopWishes& wishes, Preferences& preferences) {

@@ -22,7 +22,7 @@ struct DesktopWishes {
 /// others answer), and its arguments: https://flatpak.github.io/xdg-desktop-portal/docs/
 std::vector<std::string> question_to_desktop();
 /// Read from what it prints: color-scheme and reduced-motion, GNOME's enable-animations, KDE's
-/// AnimationDurationFactor.
+/// AnimationDurationFactor. What the portal itself says goes before what a desktop's older settings say.
 DesktopWishes wishes_in(std::string_view answer);
 
 /// Of what the person has not chosen himself. False: nothing is other than before.

@@ -30,6 +30,16 @@ TEST(DesktopWishes, AreReadFromThePortalsAnswer) {
   const std::string more = "            string \"enable-animations\"\n            variant   boolean true\n";
   EXPECT_EQ(wishes_in(answer("reduced-motion", "uint32 1", more)).reduced_motion, true)
       << "one that wishes it is enough";
+  const std::string old =
+      "      string \"org.gnome.desktop.interface\"\n         string \"enable-animations\"\n"
+      "         variant   boolean false\n         string \"color-scheme\"\n"
+      "         variant   string \"prefer-dark\"\n";
+  const std::string portal = answer("reduced-motion", "uint32 0") + answer("color-scheme", "uint32 2");
+  for (const std::string& both : {old + portal, portal + old}) {
+    EXPECT_EQ(wishes_in(both).reduced_motion, false) << "the portal knows better than GNOME's old settings";
+    EXPECT_EQ(wishes_in(both).theme, Theme::paper);
+  }
+  EXPECT_EQ(wishes_in(old).reduced_motion, true);
   for (const char* none : {"", "Error org.freedesktop.DBus.Error.ServiceUnknown: The name is not known", "\"",
                            "variant", "string \"color-scheme\"\nvariant"})
     EXPECT_EQ(wishes_in(none), DesktopWishes{}) << none;
