@@ -294,6 +294,14 @@ void SecondDisplay::present(const Framebuffer& picture) {
 
 bool FullScreen::is_on() const { return glfwGetWindowMonitor(window_) != nullptr; }
 
+void FullScreen::go_back_to(const WindowPlace& place) {
+  width_ = place.size.width;
+  height_ = place.size.height;
+  if (!place.at) return;
+  x_ = (*place.at)[0];
+  y_ = (*place.at)[1];
+}
+
 void FullScreen::set(bool on) {
   if (on == is_on()) return;
   if (!on) return glfwSetWindowMonitor(window_, nullptr, x_, y_, width_, height_, GLFW_DONT_CARE);

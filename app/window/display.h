@@ -96,6 +96,8 @@ class FullScreen {
   explicit FullScreen(GLFWwindow* window) : window_(window) {}
   bool is_on() const;
   void set(bool on);
+  /// Leaving it gives this place, whatever the window had before.
+  void go_back_to(const WindowPlace& place);
 
  private:
   GLFWwindow* window_;

@@ -185,6 +185,9 @@ class Loop {
   Status draw_for_speaker() {
     if (speaker_ && speaker_->is_closed()) session_.set_speaker(false);
     if (speaker_ && !session_.has_speaker()) {
+      // The half that it had beside the speaker's is not what it goes back to.
+      if (const auto before = speaker_->audience_before(); before && full_screen_.is_on())
+        full_screen_.go_back_to(*before);
       speaker_.reset();
       input_.settling = kSettlingFrames;
     }
