@@ -146,7 +146,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   ImGui::SetCurrentContext(imgui_);
   const bool typing = ImGui::GetIO().WantTextInput;
   if (!is_repeated) session.begin_change();
-  if (has_menu_ && key == "Escape") {
+  if (has_menu_ && key == "Escape" && !session.is_black()) {
     has_menu_ = false;
     return true;
   }
@@ -341,6 +341,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     held_back_.reset();
     has_menu_ = false;  // what it offers is of the step before
   }
+  if (session.is_black()) has_menu_ = false;  // nothing of it is seen
   stage_title_ = speech_->words_of_title(session.stage());
   if (!stage_title_.empty() && stage_title_.back() == '.') stage_title_.pop_back();
   ImGuiIO& io = ImGui::GetIO();

@@ -161,6 +161,18 @@ TEST_F(ScreenTest, TheOtherButtonOffersWhatCanBeDone) {
   frame(3);
   EXPECT_FALSE(is_open());
   EXPECT_FALSE(session.is_playing());
+  // What lies under a black screen takes no key.
+  press_other(0.5 * (screen->page().page().figure.x0 + 1280), 300);
+  ASSERT_TRUE(is_open());
+  session.set_presenting(true);
+  session.set_black(true);
+  frame(2);
+  ASSERT_TRUE(screen->press(session, "Escape"));
+  EXPECT_FALSE(session.is_black());
+  frame(3);
+  session.set_presenting(false);
+  frame(3);
+  EXPECT_FALSE(is_open());
   // What it offers is of this step, and the next may have no figure.
   press_other(0.5 * (screen->page().page().figure.x0 + 1280), 300);
   EXPECT_TRUE(is_open());
