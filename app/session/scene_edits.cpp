@@ -68,6 +68,21 @@ SceneEdits edits_beside(const SceneEdits& edits, const Scene& scene, const Scene
 
 }  // namespace
 
+namespace {
+
+/// A motion some hundred times slower or faster than the lesson's stands still at its rate, or flickers: one
+/// turn takes some seconds then.
+void keep_pace(Scene& scene, const Vec3& w_before) {
+  constexpr double kOther = 100, kSeconds = 4, kTurns = 4;
+  const double now = scene.w0_B.norm(), before = w_before.norm();
+  if (!(now > 0) || !(before > 0) || (now < kOther * before && before < kOther * now)) return;
+  const double turn_s = 2 * std::numbers::pi / now;
+  scene.rate = turn_s / kSeconds;
+  scene.duration_s = kTurns * turn_s;
+}
+
+}  // namespace
+
 Scene edited(Scene scene, const SceneEdits& edits) {
   const CameraSpec lesson_camera = scene.camera;
   std::vector<SceneEdits> of_others;
@@ -88,7 +103,9 @@ Scene edited(Scene scene, const SceneEdits& edits) {
   }
   if (!may_keep_caption(scene, edits)) leave_out_caption(scene);
   if (edits.body) scene.body = or_throw(on_its_pivot(*edits.body, scene.torque));
+  const Vec3 w_before = scene.w0_B;
   replace(scene.w0_B, edits.w0_B);
+  if (!edits.is_counterexample) keep_pace(scene, w_before);
   replace(scene.motion, edits.motion);
   replace(scene.views, edits.views);
   replace(scene.camera, edits.camera);

@@ -36,7 +36,8 @@ struct SceneEdits {
 /// lesson's heavy torque, if there is one (physics/body/pivot.h). A method that cannot serve the body or
 /// torque is left to make_model to refuse. Scenes beside it are looked at as it is. One that shows the same
 /// start goes along with it: body, ω, attitude and torque, and the method where that is the same too. Other
-/// motions are the lesson's, and so are all beside a counterexample.
+/// motions are the lesson's, and so are all beside a counterexample. Rate and duration of the lesson are not
+/// meant for an ω some hundred times smaller or larger: one turn takes 4 s then.
 /// @throws std::domain_error if the body cannot hang there
 Scene edited(Scene scene, const SceneEdits& edits);
 

@@ -10,10 +10,23 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 
 namespace polhode {
 
 namespace {
+
+/// The one body that turns as it does whoever looks on; others are thrown.
+constexpr std::string_view kEarth = "earth";
+constexpr double kEarthTurns = 7.292115e-5;  // rad/s, in a sidereal day
+
+/// With the body comes an ω that it may have: 12 rad/s are a book's, and would tear the Earth apart.
+void choose_omega(SceneEdits& edits, const Scene& scene, const Scene& lessons) {
+  const bool was_earth = scene.body.name == kEarth, is_earth = edits.body && edits.body->name == kEarth;
+  const double now = scene.w0_B.norm();
+  if (is_earth && now > 0) edits.w0_B = Vec3(scene.w0_B * (kEarthTurns / now));
+  if (!is_earth && was_earth && lessons.body.name != kEarth) edits.w0_B.reset();
+}
 
 void choose_body(PanelContext& context, const Scene& scene) {
   ImGui::SetNextItemWidth(-1);
@@ -25,12 +38,14 @@ void choose_body(PanelContext& context, const Scene& scene) {
       find_body(of_lesson) ? of_lesson + " (the lesson's)" : std::string("the lesson's");
   if (ImGui::Selectable(lessons.c_str(), !edits.body)) {
     edits.body.reset();
+    choose_omega(edits, scene, context.session.lesson_scene());
     context.requests.edits = edits;
   }
   for (const std::string& name : named_bodies()) {
     if (name == of_lesson) continue;
     if (!ImGui::Selectable(name.c_str(), edits.body && scene.body.name == name)) continue;
     edits.body = find_body(name);
+    choose_omega(edits, scene, context.session.lesson_scene());
     context.requests.edits = edits;
   }
   ImGui::EndCombo();
@@ -108,17 +123,22 @@ void BodyPanel::set_ranges(const Scene& scene) {
   const double power = std::floor(std::log10(I.maxCoeff()));
   power_ = power < -2 || power > 3 ? static_cast<int>(power) : 0;
   most_omega_ = scene.w0_B.isZero(0) ? 1 : 2 * scene.w0_B.norm();
+  const double omega_power = std::floor(std::log10(most_omega_));
+  omega_power_ = omega_power < -2 || omega_power > 3 ? static_cast<int>(omega_power) : 0;
 }
 
 void BodyPanel::edit_omega(PanelContext& context, const Scene& scene) const {
   static constexpr std::array kNames = {"ω₁", "ω₂", "ω₃"};
-  const double most = most_omega_, least = -most;
+  const double most = most_omega_, least = -most, unit = std::pow(10, omega_power_);
+  const std::string ten = omega_power_ == 0 ? "" : "10" + raised(omega_power_) + ' ';
   for (int i = 0; i < 3; ++i) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 7.5F * ImGui::GetFontSize());
     double component = scene.w0_B[i];
     ImGui::PushID(i);
-    const bool is_moved = number_slider("##omega", component, least, most, "%.5g");
-    name_last(fmt::format("{} rad/s", kNames[static_cast<std::size_t>(i)]));
+    component /= unit;
+    const bool is_moved = number_slider("##omega", component, least / unit, most / unit, "%.5g");
+    component *= unit;
+    name_last(fmt::format("{} {}rad/s", kNames[static_cast<std::size_t>(i)], ten));
     ImGui::PopID();
     if (!is_moved) continue;
     SceneEdits edits = context.session.edits();
@@ -127,6 +147,7 @@ void BodyPanel::edit_omega(PanelContext& context, const Scene& scene) const {
     context.requests.edits = edits;
   }
   const bool is_drawn = context.session.model()->drawn.contains(Overlay::omega);
+  if (scene.body.name == kEarth) quiet_words("The Earth turns once in 23 h 56 min.");
   quiet_words(is_drawn ? "Body axes, at t = 0. Or take the tip of ω in the figure." : "Body axes, at t = 0.");
 }
 

@@ -46,7 +46,7 @@ class BodyPanel {
   // Ends of sliders; they stand while one is held.
   Vec3 least_moments_{0, 0, 0}, most_moments_{1, 1, 1};
   double most_omega_ = 1;
-  int power_ = 0;  ///< of ten, which the sliders of moments leave out
+  int power_ = 0, omega_power_ = 0;  ///< of ten, which the sliders of moments and of ω leave out
 };
 
 /// Measures the methods when it opens, and again for another motion.

@@ -26,6 +26,20 @@ TEST(SceneEdits, LeaveTheSceneAsItIsWhereThereAreNone) {
   EXPECT_EQ(edited(lesson_scene(), {}), lesson_scene());
 }
 
+// A body that turns once a day stood still at a book's rate.
+TEST(SceneEdits, AnOmegaOfAnotherKindIsShownAtAPaceThatOneSees) {
+  Scene scene = lesson_scene();
+  scene.w0_B = Vec3(0.1, 12, 0.2);
+  scene.rate = 0.3;
+  scene.duration_s = 5;
+  const Scene slow = edited(scene, {.w0_B = Vec3(0, 7.3e-5, 0)});
+  EXPECT_NEAR(*slow.rate * 4, 2 * std::numbers::pi / 7.3e-5, 1);
+  EXPECT_GT(*slow.duration_s, *slow.rate);
+  const Scene twice = edited(scene, {.w0_B = Vec3(0.2, 24, 0.4)});
+  EXPECT_EQ(twice.rate, scene.rate);
+  EXPECT_EQ(twice.duration_s, scene.duration_s);
+}
+
 TEST(SceneEdits, EachIsInTheScene) {
   const SceneEdits edits{.body = find_body("racket"),
                          .w0_B = Vec3(1, 2, 3),
