@@ -210,6 +210,18 @@ WindowPlace kept_place() {
   return place ? *place : WindowPlace{};
 }
 
+/// Answers are a lesson's by its id: who has copied one to change it is told.
+std::string shared_with(const LoadedLesson& loaded) {
+  std::error_code unknown;
+  for (const FoundLesson& found : lessons_in(lesson_folders()))
+    if (found.id == loaded.lesson.id && !fs::equivalent(found.path, loaded.path, unknown) && !unknown)
+      return printable(
+          fmt::format("This file has the id of {}: place and answers are shared with it. Another "
+                      "id in its front matter makes it a lesson of its own.",
+                      found.path.string()));
+  return {};
+}
+
 WindowEnd play_one(const Options& options, const Fonts& fonts, SlidesJob& slides) {
   const auto loaded = or_fail(load(options.lesson, fonts));
   if (!options.stage.empty()) stage_of(loaded->lesson, options.stage);  // before a window opens
@@ -218,6 +230,8 @@ WindowEnd play_one(const Options& options, const Fonts& fonts, SlidesJob& slides
   SavedProgress progress(session, state_folder());
   window.notice = progress.notice();
   if (!window.notice.empty()) say("polhode: {}\n", window.notice);
+  if (const std::string shared = shared_with(*loaded); !shared.empty())
+    window.notice += (window.notice.empty() ? "" : "\n") + shared;
   if (!options.stage.empty()) {
     const Stage& stage = stage_of(loaded->lesson, options.stage);
     session.begin_at({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});
