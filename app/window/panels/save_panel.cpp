@@ -52,7 +52,10 @@ void SavePanel::draw(PanelContext& context) {
   ImGui::BeginDisabled(!context.session.model());
   if (ImGui::Button("Copy as CSV", {-1, 0})) context.requests.clipboard = trace_of(context.session);
   ImGui::EndDisabled();
-  tooltip_of_last("ω, attitude, T and L over the time line, to be pasted into a table");
+  tooltip_of_last(
+      "Over the time line, to be pasted into a table: t in s, ω in rad/s, the attitude as a quaternion, T in "
+      "J, "
+      "L in kg m²/s, each number with all its digits");
   offer(context, "Save as CSV", SaveAs::trace, "The same as a file");
   heading("Scene");
   offer(context, "Save as a lesson", SaveAs::scene,
