@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/session/symbol_note.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panel_context.h"
 #include "app/window/panels/panel_facts.h"
@@ -28,7 +29,10 @@ std::string speed_text(double rate, double speed) {
   const double ratio = rate * speed;
   constexpr double kSame = 0.005;  // of three digits
   if (std::abs(ratio - 1) < kSame) return "real time";
-  return ratio > 1 ? fmt::format("real time × {:.3g}", ratio) : fmt::format("real time ÷ {:.3g}", 1 / ratio);
+  constexpr double kPlain = 1e4;  // above it as a power of ten
+  const double factor = ratio > 1 ? ratio : 1 / ratio;
+  const std::string number = factor < kPlain ? fmt::format("{:.3g}", factor) : readable(factor);
+  return (ratio > 1 ? "real time × " : "real time ÷ ") + number;
 }
 
 void draw_walk(PanelContext& context, bool has_words) {
