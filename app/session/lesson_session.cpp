@@ -337,6 +337,7 @@ Status LessonSession::set_edits(const SceneEdits& edits) {
   if (wanted.camera) wanted.camera = writable(*wanted.camera);
   if (wanted.attitude) wanted.attitude = writable(*wanted.attitude);
   const SceneEdits before = edits_;
+  const double before_s = t_s_;
   try {
     if (same_model(scene_with(wanted), scene_with(edits_))) {
       edits_ = wanted;
@@ -349,29 +350,34 @@ Status LessonSession::set_edits(const SceneEdits& edits) {
   } catch (const std::domain_error& error) {
     return failure(error.what());
   }
-  note_change(before);
+  note_change(before, before_s);
   heading_rad_ = heading_at(t_s_);
   patch_model();
   return success();
 }
 
-void LessonSession::note_change(const SceneEdits& before) {
+void LessonSession::note_change(const SceneEdits& before, double before_s) {
   constexpr std::size_t kMostKept = 100;
   SceneEdits of_look_before = before;  // a camera is turned back by hand
   of_look_before.camera = edits_.camera;
   if (before.is_counterexample || edits_.is_counterexample) return;
-  if (of_look_before == edits_ || !std::exchange(change_is_new_, false)) return;
-  undo_.push_back(before);
-  if (undo_.size() > kMostKept) undo_.erase(undo_.begin());
+  if (of_look_before == edits_) return;
+  if (std::exchange(change_is_new_, false)) {
+    undo_.push_back({before, before_s, {}});
+    if (undo_.size() > kMostKept) undo_.erase(undo_.begin());
+  }
+  if (!undo_.empty()) undo_.back().camera = edits_.camera;
 }
 
 bool LessonSession::undo() {
   if (undo_.empty() || aside_) return false;
-  SceneEdits before = std::move(undo_.back());
+  Change change = std::move(undo_.back());
   undo_.pop_back();
-  before.camera = edits_.camera;
-  std::vector<SceneEdits> earlier = std::move(undo_);
-  const bool is_made = static_cast<bool>(set_edits(before));
+  if (edits_.camera != change.camera) change.before.camera = edits_.camera;
+  const bool another = starts_another_motion(change.before, edits_);
+  std::vector<Change> earlier = std::move(undo_);
+  const bool is_made = static_cast<bool>(set_edits(change.before));
+  if (is_made && another) go_on_from(change.before_s);
   undo_ = std::move(earlier);
   change_is_new_ = true;
   return is_made;
@@ -407,7 +413,7 @@ void LessonSession::reset_edits() {
   aside_.reset();
   make_model_of({});
   change_is_new_ = true;
-  note_change(before);
+  note_change(before, t_s_);
   change_is_new_ = true;
   go_on_from(another ? still_time_s(lesson_scene()) : t_s_);
   patch_model();

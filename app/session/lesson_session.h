@@ -149,8 +149,8 @@ class LessonSession {
   /// What is edited from now on is undone by itself; all that is edited between two calls is one change.
   void begin_change() { change_is_new_ = true; }
   bool can_undo() const { return !undo_.empty(); }
-  /// Takes back the last change of this scene, to which reset_edits() belongs; the camera stays. False: there
-  /// is none.
+  /// Takes back the last change of this scene, to which reset_edits() belongs, with the time and the camera
+  /// that it brought; a camera that was turned since stays. False: there is none.
   bool undo();
   /// Follows nothing any more; a motion that was changed begins at the scene's own time.
   void reset_edits();
@@ -252,7 +252,7 @@ class LessonSession {
   void go_on_from(double t_s);
   void patch_model();
   void keep_edits();
-  void note_change(const SceneEdits& before);
+  void note_change(const SceneEdits& before, double before_s);
   void play_for(const Ask& ask);
   std::vector<std::string> with_lit(const Scene& scene) const;  ///< what is highlighted of it now
   void set_time(double t_s);
@@ -282,8 +282,13 @@ class LessonSession {
     double t_s = 0;
     bool is_changed = false;
   };
-  std::optional<Aside> aside_;    ///< from the lesson's scene, to a counterexample
-  std::vector<SceneEdits> undo_;  ///< what there was before each change of this scene
+  std::optional<Aside> aside_;  ///< from the lesson's scene, to a counterexample
+  struct Change {
+    SceneEdits before;
+    double before_s = 0;               ///< the time then
+    std::optional<CameraSpec> camera;  ///< as it left it
+  };
+  std::vector<Change> undo_;  ///< each change of this scene
   bool change_is_new_ = true;
   std::map<const Scene*, SceneEdits> kept_;  ///< of scenes that were left
   std::string lit_;

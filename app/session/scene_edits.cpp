@@ -66,10 +66,6 @@ SceneEdits edits_beside(const SceneEdits& edits, const Scene& scene, const Scene
   return of_other;
 }
 
-}  // namespace
-
-namespace {
-
 /// A motion some hundred times slower or faster than the lesson's stands still at its rate, or flickers: one
 /// turn takes some seconds then.
 void keep_pace(Scene& scene, const Vec3& w_before) {

@@ -55,6 +55,24 @@ TEST(Undo, GivesBackWhatWasResetAndLeavesTheCamera) {
   EXPECT_NEAR(session.camera().azimuth_rad, 2, 1e-5) << "as it is written";
 }
 
+TEST(Undo, GivesBackTheTimeAndTheCameraThatAHandChanged) {
+  LessonSession session(example());
+  session.set_camera({.azimuth_rad = 1});
+  session.scrub_to(0.5);
+  const double here_s = session.t_s();
+  const CameraSpec seen = session.camera();
+  session.begin_change();
+  for (const double w : {1.0, 1.1}) {  // a hand on ω turns the camera, too, so that the attitude is held
+    SceneEdits edits = session.edits();
+    edits.w0_B = Vec3(w, 0, 0.1);
+    edits.camera = CameraSpec{.azimuth_rad = 2 + w};
+    ASSERT_TRUE(session.set_edits(edits));
+  }
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.t_s(), here_s);
+  EXPECT_EQ(session.camera(), seen);
+}
+
 TEST(Undo, WhatWasChangedIsThereAgainWhenOneComesBack) {
   LessonSession session(example());
   const StepPlace here = session.place();
