@@ -223,7 +223,9 @@ TEST_F(WholeLecture, IsDerivedByTheKeyboardAloneAndWalkedBack) {
       }
     }
   }
-  lesson.press(on_the_way);  // once too often: there is nothing further
+  on_the_way.push_back("Escape");
+  lesson.press(
+      on_the_way);  // once more than there are steps, to the list of lessons, and back to the last step
   walk_back(lesson);
   EXPECT_GT(answered, 50);
   EXPECT_EQ(derived, 8);
