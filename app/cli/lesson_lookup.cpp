@@ -7,6 +7,7 @@
 #include "base/interrupt.h"
 #include "base/sha256.h"
 #include "base/spelling.h"
+#include "base/words/language.h"
 #include "lessons/reader/checks/lesson_check.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "lessons/reader/checks/type_check.h"
@@ -32,6 +33,12 @@ bool is_plain_name(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   });
+}
+
+/// An id, or that of a translation with its language: "euler-equations.de".
+bool is_name_of_lesson(std::string_view name) {
+  const std::size_t dot = std::min(name.rfind('.'), name.size());
+  return is_plain_name(name.substr(0, dot)) && (dot == name.size() || language_from(name.substr(dot + 1)));
 }
 
 bool names_file(std::string_view name) { return name.find('/') != name.npos || name.ends_with(".md"); }
@@ -105,9 +112,19 @@ std::vector<FoundLesson> lessons_in(const std::vector<fs::path>& folders) {
   return found;
 }
 
+std::vector<fs::path> translations_of(const fs::path& lesson) {
+  std::vector<fs::path> found;
+  for (const Language language : kLanguages) {
+    fs::path path = lesson;
+    path.replace_extension(std::string(tag_of(language)) + ".md");
+    if (is_regular(path)) found.push_back(std::move(path));
+  }
+  return found;
+}
+
 Outcome<fs::path> find_lesson(std::string_view name, const std::vector<fs::path>& folders) {
   if (names_file(name)) return fs::path(name);
-  if (is_plain_name(name)) {
+  if (is_name_of_lesson(name)) {
     for (const fs::path& folder : folders) {
       fs::path path = folder / (std::string(name) + ".md");
       if (is_regular(path)) return path;

@@ -22,11 +22,16 @@ struct FoundLesson {
   std::filesystem::path path;
 };
 /// Every <folder>/<id>.md, sorted by id; of equal ids the one in the earlier folder. Folders that do not
-/// exist, and documents that do not open with the +++ of a lesson's front matter, are passed over.
+/// exist, and documents that do not open with the +++ of a lesson's front matter, are passed over; so are
+/// translations, which are the same lesson.
 std::vector<FoundLesson> lessons_in(const std::vector<std::filesystem::path>& folders);
 
-/// `name` is an id, or a file if it has a slash or ends in .md. An unknown id is a fault of usage (with "did
-/// you mean"); a file's existence is not checked here.
+/// Those beside a lesson's file: NAME.de.md beside NAME.md.
+std::vector<std::filesystem::path> translations_of(const std::filesystem::path& lesson);
+
+/// `name` is an id, with a dot and a language behind it that of a translation, or a file if it has a slash or
+/// ends in .md. An unknown id is a fault of usage (with "did you mean"); a file's existence is not checked
+/// here.
 Outcome<std::filesystem::path> find_lesson(std::string_view name,
                                            const std::vector<std::filesystem::path>& folders);
 

@@ -3,6 +3,7 @@
 #include "app/export/picture_maker.h"
 #include "app/narration/speech_text.h"
 #include "app/page/live_numbers.h"
+#include "base/words/page_words.h"
 #include "render/typeset/morph.h"
 
 #include <fmt/format.h>
@@ -88,7 +89,8 @@ class EquationMaker : public PictureMaker {
     const auto [line, next, way] = shown_in(picture);
     PictureDescription description{speech_.words(*line), {line->tex}, {}, {}, canvas->size};
     if (way == 0.0) return description;
-    description.alt = fmt::format("Between two lines. {} {}", description.alt, speech_.words(*next));
+    description.alt =
+        words::kBetweenTwoLines.with(context_.lesson.about.language, {description.alt, speech_.words(*next)});
     description.tex.push_back(next->tex);
     return description;
   }

@@ -8,6 +8,7 @@
 #include "app/page/figure_cells.h"
 #include "app/page/page.h"
 #include "app/page/text/page_text.h"
+#include "base/words/speech_words.h"
 
 #include <algorithm>
 #include <deque>
@@ -36,10 +37,10 @@ class PageMaker : public PictureMaker {
     const PageRequest request = request_of(picture, shown);
     for (const FigureCell& cell : figures_on_page(request)) {
       const Scene& scene = cell.model->scene;  // which a hand may have changed
-      description.alt +=
-          " Figure: " + alt_text(*cell.model, speech_.words_of_scenes(*cell.step, scene), cell.t_s);
+      description.alt += ' ' + speech_.opening(words::kFigure) +
+                         alt_text(*cell.model, speech_.words_of_scenes(*cell.step, scene), cell.t_s);
       if (const std::string plots = speech_.words_of_plots(scene); !plots.empty())
-        description.alt += " Plotted: " + plots;
+        description.alt += ' ' + speech_.opening(words::kPlotted) + plots;
     }
     const int first = request.before ? request.step - static_cast<int>(request.before->size()) : request.step;
     if (const std::string answers = answers_at_foot(request, first); !answers.empty())

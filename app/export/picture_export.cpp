@@ -86,7 +86,7 @@ VectorPicture vector_picture(const PictureExport& e, Sheet sheet, const PictureD
       .px_per_inch = static_cast<double>(e.options.dpi),
       .background = background.kind == Background::Kind::transparent ? Color{0, 0, 0, 0} : sky_of(background),
       .title = description.alt,
-      .language = e.loaded.lesson.about.language};
+      .language = std::string(tag_of(e.loaded.lesson.about.language))};
   for (const auto& [keyword, text] : metadata.text) {
     if (keyword == "Title") picture.description = text;
     if (keyword == "Software") picture.program = text;

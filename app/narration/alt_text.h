@@ -19,10 +19,10 @@ struct SceneInWords {
 
 /// Of a figure: the view, what is shown, its marks, the caption, and numbers computed for the moment of the
 /// picture: |ω| and the angle between ω and L. Plain text, UTF-8. Depends on the arguments alone.
-std::string alt_text(const Scene& scene, const SceneInWords& words, const Vec3& w_B, double t_s);
+std::string alt_text(const Scene& scene, const SceneInWords& said, const Vec3& w_B, double t_s);
 
-/// The same of all that the model shows side by side, one after the other. `words` are in the order in which
-/// they stand, as many as scenes.
-std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& words, double t_s);
+/// The same of all that the model shows side by side, one after the other. What is `said` is of each scene,
+/// in their order.
+std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& said, double t_s);
 
 }  // namespace polhode

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/number_text.h"
 
+#include "base/words/formula_words.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,12 +40,15 @@ std::string number_tex(double value, int digits) {
   return number.power == 0 ? text : fmt::format("{}{{\\cdot}}10^{{{}}}", text, number.power);
 }
 
-std::string number_words(double value, int digits) {
+std::string number_words(double value, int digits, Language language) {
+  const auto signed_words = [language](bool is_negative, std::string words) {
+    return is_negative ? words::kMinus.with(language, {words}) : words;
+  };
   const Written number = written(value, digits);
-  std::string text = (number.negative ? "minus " : "") + number.digits;
+  const std::string text = signed_words(number.negative, with_decimals(number.digits, language));
   if (number.power == 0) return text;
-  return fmt::format("{} times 10 to the power {}{}", text, number.power < 0 ? "minus " : "",
-                     std::abs(number.power));
+  const std::string power = signed_words(number.power < 0, std::to_string(std::abs(number.power)));
+  return words::kTimesTenToThePower.with(language, {text, power});
 }
 
 }  // namespace polhode

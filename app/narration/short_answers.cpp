@@ -3,6 +3,7 @@
 
 #include "base/ascii.h"
 #include "base/numbers.h"
+#include "base/words/page_words.h"
 #include "lessons/claims/answers/number_answer.h"
 #include "lessons/claims/expressions/expression_tex.h"
 #include "lessons/reader/questions/state_task.h"
@@ -51,16 +52,19 @@ std::string state_in_short(const SteeredState& state) {
 }
 
 std::string answer_in_short(const Lesson& lesson, const Ask& ask) {
+  const Language language = lesson.about.language;
   if (ask.type == Ask::Type::derive) return {};
   if (ask.expression) return '$' + tex_of(*ask.expression, &lesson.notation.vocabulary) + '$';
   if (ask.number) {
-    const std::string words = words_of(*ask.number);
+    const std::string number = words_of(*ask.number);
     constexpr std::string_view kDegrees = " deg";
-    return words.ends_with(kDegrees) ? words.substr(0, words.size() - kDegrees.size()) + "°" : words;
+    return with_decimals(
+        number.ends_with(kDegrees) ? number.substr(0, number.size() - kDegrees.size()) + "°" : number,
+        language);
   }
   if (ask.task) {
     const std::string state = state_in_short(ask.task->solution);
-    return state.empty() ? state : "for example " + state;
+    return state.empty() ? state : words::kForExample.with(language, {with_decimals(state, language)});
   }
   std::string letters;
   for (const int answer : ask.answers) {
@@ -77,7 +81,8 @@ std::string short_answers(const Lesson& lesson, const Stage& stage) {
   for (std::size_t i = 0; i < stage.steps.size(); ++i)
     for (const Ask* ask : blocks_of<Ask>(stage.steps[i]))
       if (const std::string answer = answer_in_short(lesson, *ask); !answer.empty())
-        line += fmt::format("{}step {}, {}", line.empty() ? "" : "; ", i + 1, answer);
+        line += (line.empty() ? "" : "; ") +
+                words::kAnswerOfStep.with(lesson.about.language, {std::to_string(i + 1), answer});
   return line;
 }
 

@@ -4,6 +4,8 @@
 #include "app/narration/number_text.h"
 #include "app/narration/verdict_row.h"
 #include "base/ascii.h"
+#include "base/words/formula_words.h"
+#include "base/words/speech_words.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "lessons/reader/questions/state_task.h"
 #include "lessons/reader/scene/varied_scene.h"
@@ -121,11 +123,15 @@ Math SpeechText::with_spoken_numbers(const Math& math, const StillNumbers::Value
     const auto value = values.find(number.id);
     const bool in_table = lesson_.numbers[static_cast<std::size_t>(number.id)].row != nullptr;
     if (value == values.end() && !in_table) continue;
-    const std::string words =
-        value != values.end() ? number_words(value->second, number.digits) : "not defined";
-    if (auto said = parse_math("\\text{" + words + '}')) shown.back().number = std::move(*said);
+    const std::string said = value != values.end() ? number_words(value->second, number.digits, language())
+                                                   : std::string(words::kNotDefined.in(language()));
+    if (auto set = parse_math("\\text{" + said + '}')) shown.back().number = std::move(*set);
   }
   return with_numbers(math, shown);
+}
+
+std::string SpeechText::number_in_words(double value) const {
+  return with_decimals(fmt::format("{:.4g}", value), language());
 }
 
 std::string SpeechText::words(const Math& math) const { return words(math, nullptr); }
@@ -151,7 +157,8 @@ std::vector<std::string> SpeechText::words_of_rows(const TextTable& table) const
     head.push_back(words(cell, nullptr, false));
     if (!head.back().empty()) columns += (columns.empty() ? "" : ", ") + head.back();
   }
-  said.push_back(columns.empty() ? "Table." : "Table with the columns " + columns + '.');
+  said.push_back(columns.empty() ? opening(words::kTable)
+                                 : words::kTableWithColumns.with(language(), {columns}));
   for (std::size_t r = 1; r < table.rows.size(); ++r) {
     std::string row;
     for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
@@ -196,8 +203,8 @@ std::string SpeechText::words(const RichText& text, std::vector<NoteLink>* links
 
 std::string SpeechText::words(const Equation& equation) const {
   const std::string formula = sentence(words(equation.math));
-  return equation.tag.empty() ? "Equation: " + formula
-                              : fmt::format("Equation ({}): {}", equation.tag, formula);
+  return equation.tag.empty() ? words::kEquation.with(language(), {formula})
+                              : words::kEquationNumber.with(language(), {equation.tag, formula});
 }
 
 /// A line of text with formulas between dollar signs.
@@ -209,27 +216,30 @@ std::string SpeechText::words_of_line(const std::string& line) const {
                       end = begin == line.npos ? begin : line.find('$', begin + 1);
     text += line.substr(at, begin == line.npos ? begin : begin - at);
     if (end == line.npos) return text;
-    if (const auto math = parse_math(line.substr(begin + 1, end - begin - 1))) text += words(*math);
+    if (const auto math = parse_math(line.substr(begin + 1, end - begin - 1), {}, language()))
+      text += words(*math);
     at = end + 1;
   }
 }
 
 std::string SpeechText::words(const Claim& claim, const Scene* scene) const {
-  const VerdictRow row = verdict_row(claim, scene, nullptr);
+  const VerdictRow row = verdict_row(claim, scene, nullptr, language());
   const std::string word = capitalized(row.word);
   const std::string note =
       words_of_line(row.note + (row.note.empty() || row.example.empty() ? "" : ", ") + row.example);
   std::string text = note.empty() ? word + '.' : word + ", " + note + '.';
   std::string claimed;
   for (const std::string& tex : row.claimed)
-    if (const auto math = parse_math(tex)) claimed += (claimed.empty() ? "" : "; ") + words(*math);
+    if (const auto math = parse_math(tex, {}, language()))
+      claimed += (claimed.empty() ? "" : "; ") + words(*math);
   return claimed.empty() ? text : capitalized(row.claimed_is) + ": " + sentence(claimed) + ' ' + text;
 }
 
 std::string SpeechText::words(const Callout& callout, std::vector<NoteLink>* links) const {
   const auto own = lesson_.about.labels.find(callout.kind);
-  const std::string_view label =
-      own != lesson_.about.labels.end() ? std::string_view(own->second) : names_of(callout.kind).words;
+  const std::string_view label = own != lesson_.about.labels.end()
+                                     ? std::string_view(own->second)
+                                     : names_of(callout.kind).words.in(language());
   std::string text = fmt::format("{}: ", label);
   if (!callout.title.empty()) text += sentence(words(callout.title)) + ' ';
   const std::size_t known = links != nullptr ? links->size() : 0;
@@ -239,16 +249,17 @@ std::string SpeechText::words(const Callout& callout, std::vector<NoteLink>* lin
 }
 
 std::string SpeechText::words(const Ask& ask) const {
-  std::string text = "Question: " + sentence(words(ask.prompt_text));
+  std::string text = opening(words::kQuestion) + sentence(words(ask.prompt_text));
   for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
-    add(text, fmt::format("Choice {}: {}", letter_of_choice(i), sentence(words(ask.choice_texts[i]))));
+    add(text, words::kChoice.with(
+                  language(), {std::string(1, letter_of_choice(i)), sentence(words(ask.choice_texts[i]))}));
   return text;
 }
 
 std::string SpeechText::words_of_answer(const Ask& ask) const {
   std::string text = ask.expression ? ask.expression->text
                      : ask.task     ? text_of(ask.task->solution)
-                     : ask.number   ? polhode::words_of(*ask.number)
+                     : ask.number   ? with_decimals(polhode::words_of(*ask.number), language())
                                     : "";
   for (const int answer : ask.answers)
     text +=
@@ -310,12 +321,15 @@ std::vector<FigureWords> SpeechText::words_of_figure(const Step& step) const {
   if (!step.scene) return {};
   if (step.varied) {
     std::vector<FigureWords> lines;
-    if (step.captions.front()) lines.push_back({"Figure: ", words_of_caption(step, step.scene->before)});
+    if (step.captions.front())
+      lines.push_back({opening(words::kFigure), words_of_caption(step, step.scene->before)});
     for (const Variation& number : step.scene->vary) {
       const VariedNumber& facts = *find_varied_number(number.number);
-      lines.push_back({"Varied: ", fmt::format("{} from {:.4g} to {:.4g} {}",
-                                               words_of_line('$' + std::string(facts.tex) + '$'), number.from,
-                                               number.to, facts.unit)});
+      lines.push_back(
+          {opening(words::kVaried),
+           words::kVariedFromTo.with(
+               language(), {words_of_line('$' + std::string(facts.tex) + '$'), number_in_words(number.from),
+                            number_in_words(number.to), facts.unit})});
     }
     return lines;
   }
@@ -324,11 +338,13 @@ std::vector<FigureWords> SpeechText::words_of_figure(const Step& step) const {
   const bool is_shared = std::all_of(captions.begin(), captions.end(), is_first);
   std::vector<FigureWords> lines;
   if (is_shared && !captions.empty() && !captions.front().empty())
-    lines.push_back({"Figure: ", captions.front()});
+    lines.push_back({opening(words::kFigure), captions.front()});
   if (is_shared) return lines;
   for (std::size_t i = 0; i < captions.size(); ++i)
     if (!captions[i].empty())
-      lines.push_back({fmt::format("Figure {} of {}: ", i + 1, captions.size()), captions[i]});
+      lines.push_back(
+          {words::kFigureOf.with(language(), {std::to_string(i + 1), std::to_string(captions.size())}),
+           captions[i]});
   return lines;
 }
 
@@ -341,62 +357,61 @@ std::string SpeechText::words_of_plots(const Scene& scene) const {
     const auto name = [&](std::size_t i, const std::string& tex) {
       return spoken(i < own->tex.size() ? own->tex[i] : tex);
     };
-    std::string words = own->title.empty() ? "" : words_of_line(own->title) + ": ";
+    std::string text = own->title.empty() ? "" : words_of_line(own->title) + ": ";
     if (own->function) {
-      words += name(0, own->function->tex) + " against " + spoken(own->function->of.tex);
-      if (own->function->level) words += ", with the level " + spoken(own->function->level->tex);
+      text += name(0, own->function->tex) + opening(words::kPlottedAgainst) + spoken(own->function->of.tex);
+      if (own->function->level) text += opening(words::kWithTheLevel) + spoken(own->function->level->tex);
     } else {
       for (std::size_t i = 0; i < own->curves.size(); ++i) {
-        if (i > 0) words += i + 1 == own->curves.size() ? " and " : ", ";
-        words += name(i, own->curves[i].tex);
+        if (i > 0) text += i + 1 == own->curves.size() ? opening(words::kAnd) : ", ";
+        text += name(i, own->curves[i].tex);
       }
-      words += " against " + (own->against ? spoken(own->against->tex) : "time");
+      text += opening(words::kPlottedAgainst) +
+              (own->against ? spoken(own->against->tex) : opening(words::kTime));
     }
-    plots.push_back(std::move(words));
+    plots.push_back(std::move(text));
   }
   return plots.empty() ? "" : sentence(fmt::format("{}", fmt::join(plots, "; ")));
 }
 
 std::string SpeechText::words_of_tex(const std::string& tex) const {
-  const auto math = parse_math(tex);
+  const auto math = parse_math(tex, {}, language());
   return math ? words(*math) : tex;
 }
 
 std::vector<std::string> SpeechText::marks_in_words(const Scene& scene) const {
   std::vector<std::string> all;
   if (draws_poses(scene))
-    all.push_back(fmt::format("the body as it was at {} earlier {}", scene.poses.count,
-                              scene.poses.count == 1 ? "instant" : "instants"));
+    all.push_back((scene.poses.count == 1 ? words::kBodyAtEarlierInstant : words::kBodyAtEarlierInstants)
+                      .with(language(), {std::to_string(scene.poses.count)}));
   if (!draws_marks(scene)) return all;
   const auto name = [this](const MarkVector& vector) { return words_of_tex(vector.quantity.tex); };
-  const auto at_tip = [&](const std::optional<MarkVector>& vector, const char* where) {
-    return vector ? fmt::format(" {} the tip of {}", where, name(*vector)) : std::string();
+  const auto at_tip = [&](const std::optional<MarkVector>& vector, const Phrase& where = words::kAtTheTipOf) {
+    return vector ? where.with(language(), {name(*vector)}) : std::string();
   };
   for (const TrailMark& trail : scene.marks.trails)
-    all.push_back(trail.on_sphere
-                      ? fmt::format("the trail of the direction of {} on the unit sphere", name(trail.of))
-                      : fmt::format("the trail of the tip of {}", name(trail.of)));
+    all.push_back(trail.on_sphere ? words::kTrailOnSphere.with(language(), {name(trail.of)})
+                                  : words::kTrailOfTip.with(language(), {name(trail.of)}));
   for (const ArrowMark& arrow : scene.marks.arrows) {
     const bool is_named = arrow.tex && !arrow.tex->empty();
-    all.push_back(fmt::format("the arrow of {}{}", is_named ? words_of_tex(*arrow.tex) : name(arrow.of),
-                              at_tip(arrow.at, "at")));
+    all.push_back(words::kArrowOf.with(
+        language(), {is_named ? words_of_tex(*arrow.tex) : name(arrow.of), at_tip(arrow.at)}));
   }
   for (const AngleMark& angle : scene.marks.angles)
-    all.push_back(fmt::format("the angle {}from {} to {}",
-                              angle.tex.empty() ? "" : words_of_tex(angle.tex) + ' ', name(angle.from),
-                              name(angle.to)) +
-                  at_tip(angle.at, "at"));
-  for (const AreaMark& area : scene.marks.areas)
-    all.push_back(fmt::format("the parallelogram {}of {} and {}",
-                              area.tex.empty() ? "" : words_of_tex(area.tex) + ' ', name(area.from),
-                              name(area.to)));
-  for (const LineMark& line : scene.marks.lines)
-    all.push_back(fmt::format("a line from the tip of {} to the tip of {}", name(line.from), name(line.to)));
-  for (const PlaneMark& plane : scene.marks.planes)
     all.push_back(
-        fmt::format("the plane normal to {}{}", name(plane.normal), at_tip(plane.through, "through")));
+        words::kAngleFromTo.with(language(), {angle.tex.empty() ? "" : words_of_tex(angle.tex) + ' ',
+                                              name(angle.from), name(angle.to)}) +
+        at_tip(angle.at));
+  for (const AreaMark& area : scene.marks.areas)
+    all.push_back(words::kParallelogramOf.with(
+        language(), {area.tex.empty() ? "" : words_of_tex(area.tex) + ' ', name(area.from), name(area.to)}));
+  for (const LineMark& line : scene.marks.lines)
+    all.push_back(words::kLineFromTo.with(language(), {name(line.from), name(line.to)}));
+  for (const PlaneMark& plane : scene.marks.planes)
+    all.push_back(words::kPlaneNormalTo.with(
+        language(), {name(plane.normal), at_tip(plane.through, words::kThroughTheTipOf)}));
   for (const NoteMark& note : scene.marks.notes)
-    all.push_back(fmt::format("the note \"{}\"{}", words_of_line(note.text), at_tip(note.at, "at")));
+    all.push_back(words::kTheNote.with(language(), {words_of_line(note.text), at_tip(note.at)}));
   return all;
 }
 

@@ -24,6 +24,9 @@ class SpeechText {
   /// `lesson` must outlive it. `effort` is told what the motions of stills cost.
   explicit SpeechText(const Lesson& lesson, Effort effort = {});
 
+  /// A phrase in the lesson's language: "Question: ".
+  std::string opening(const Phrase& phrase) const { return std::string(phrase.in(lesson_.about.language)); }
+
   std::string words(const Math& math) const;
   /// Paragraphs and items of lists one after the other, in one line.
   /// `links`, if it is not null, gets those of the text, where they stand in what is returned.
@@ -64,6 +67,8 @@ class SpeechText {
   std::string words_of_page(const Stage& stage, int first, int last) const;
 
  private:
+  Language language() const { return lesson_.about.language; }
+  std::string number_in_words(double value) const;
   /// One after the other, of this scene alone.
   std::vector<std::string> marks_in_words(const Scene& scene) const;
   std::vector<std::string> captions_in_words(const Step& step, const Scene& shown) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/step_transcript.h"
 
+#include "base/words/speech_words.h"
 #include "lessons/reader/markdown/footnotes.h"
 
 #include <fmt/format.h>
@@ -41,13 +42,13 @@ class Notes {
     add(Kind::note, raised_number(note.number) + ' ', words, std::move(links));
   }
   void add(const Ask& ask) {
-    add(Kind::question, "Question: " + speech_.words(ask.prompt_text));
+    add(Kind::question, speech_.opening(words::kQuestion) + speech_.words(ask.prompt_text));
     for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
       add(Kind::item, fmt::format("{}. {}", letter_of_choice(i), speech_.words(ask.choice_texts[i])));
   }
   void add(const FigureWords& figure) { add(Kind::figure, figure.opening + figure.caption); }
   void add_title(std::string words) { add(Kind::text, std::move(words)); }
-  void add_plots(const std::string& words) { add(Kind::figure, "Plotted: " + words); }
+  void add_plots(const std::string& words) { add(Kind::figure, speech_.opening(words::kPlotted) + words); }
 
   std::vector<StepNote> take() { return std::move(notes_); }
 

@@ -3,6 +3,7 @@
 
 #include "app/narration/speech_text.h"
 #include "base/utf8.h"
+#include "base/words/speech_words.h"
 #include "lessons/reader/markdown/footnotes.h"
 
 #include <fmt/format.h>
@@ -36,10 +37,10 @@ class Transcript {
         for (const auto& [opening, caption] : figure) add_paragraph(caption, opening);
       }
       const std::string plots = step.scene ? speech_.words_of_plots(*step.scene) : "";
-      if (!plots.empty() && plots != plots_) add_paragraph(plots, "Plotted: ");
+      if (!plots.empty() && plots != plots_) add_paragraph(plots, speech_.opening(words::kPlotted));
       plots_ = plots;
       const std::string marks = step.scene ? speech_.words_of_marks(*step.scene) : "";
-      if (!marks.empty() && marks != marks_) add_paragraph(marks, "Drawn: ");
+      if (!marks.empty() && marks != marks_) add_paragraph(marks, speech_.opening(words::kDrawn));
       marks_ = marks;
     }
   }
@@ -49,7 +50,7 @@ class Transcript {
     std::string cited;
     for (const Reference& reference : references)
       if (reference.is_cited) cited += wrapped(reference.text, fmt::format("[{}] ", reference.key));
-    if (!cited.empty()) text_ += '\n' + underlined("References", '-') + '\n' + cited;
+    if (!cited.empty()) text_ += '\n' + underlined(speech_.opening(words::kReferences), '-') + '\n' + cited;
   }
 
   std::string take() { return std::move(text_); }
@@ -88,7 +89,7 @@ class Transcript {
   void add(const Claim& claim) { text_ += wrapped(speech_.words(claim, scene_), "      "); }
 
   void add(const Ask& ask) {
-    add_paragraph(speech_.words(ask.prompt_text), "Question: ");
+    add_paragraph(speech_.words(ask.prompt_text), speech_.opening(words::kQuestion));
     for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
       text_ += wrapped(speech_.words(ask.choice_texts[i]), fmt::format("  {}. ", letter_of_choice(i)));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/verdict_row.h"
 
+#include "base/words/verdict_words.h"
 #include "lessons/claims/expressions/expression_tex.h"
 #include "physics/method.h"
 
@@ -16,26 +17,26 @@ bool refutes(ClaimKind kind) { return kind == ClaimKind::is_false || kind == Cla
 
 namespace {
 
-std::string_view word_of(ClaimKind kind) {
+Phrase word_of(ClaimKind kind) {
   switch (kind) {
     case ClaimKind::identity:
-      return "always true";
+      return words::kAlwaysTrue;
     case ClaimKind::definition:
-      return "definition";
+      return words::kDefinition;
     case ClaimKind::law:
-      return "law";
+      return words::kLaw;
     case ClaimKind::motion:
-      return "true in every motion";
+      return words::kTrueInEveryMotion;
     case ClaimKind::free:
-      return "true when no torque acts";
+      return words::kTrueWithoutTorque;
     case ClaimKind::is_false:
-      return "false";
+      return words::kFalse;
     case ClaimKind::measured:
-      return "checked on this motion";
+      return words::kCheckedOnThisMotion;
     case ClaimKind::non_sequitur:
-      return "does not follow";
+      return words::kDoesNotFollow;
   }
-  return "";
+  return words::kLaw;
 }
 
 Certainty certainty_of(ClaimKind kind) {
@@ -45,46 +46,65 @@ Certainty certainty_of(ClaimKind kind) {
   return is_stated ? Certainty::stated : Certainty::proved;
 }
 
-std::string how_it_is_computed(const Scene* scene) {
+std::string how_it_is_computed(const Scene* scene, Language language) {
   if (!scene) return "";
   const MotionSpec& motion = scene->motion;
   const MethodFacts& facts = facts_of(motion.method.value_or(default_method(problem_of(*scene))));
-  if (facts.control == StepControl::none) return "in closed form";
+  if (facts.control == StepControl::none) return std::string(words::kInClosedForm.in(language));
   if (facts.control == StepControl::fixed)
-    return fmt::format("with {}, $h$ = {:g} s", facts.name, *motion.step_s);
-  return fmt::format("with {}, tolerance {:g}", facts.name, motion.tolerance.value_or(kDefaultTolerance));
+    return words::kWithMethodAndStep.with(language, {facts.name, fmt::format("{:g}", *motion.step_s)});
+  return words::kWithMethodAndTolerance.with(
+      language, {facts.name, fmt::format("{:g}", motion.tolerance.value_or(kDefaultTolerance))});
 }
 
 std::string joined(const std::string& words, const std::string& more) {
   return words.empty() ? more : more.empty() ? words : words + ", " + more;
 }
 
+std::string_view order_in_words(int order, Language language) {
+  return words::kOrders.at(static_cast<std::size_t>(order - 1)).in(language);
+}
+
 /// "given $I_2 = I_1$, to first order in $\\omega_1$"; what is measured is not of an order: "for small …".
-std::string words_of(const Given& given, ClaimKind kind) {
+std::string words_of(const Given& given, ClaimKind kind, Language language) {
   const auto listed = [](const std::vector<std::string>& formulas, std::string words) {
     for (const std::string& tex : formulas) words += (&tex == &formulas.front() ? " $" : ", $") + tex + '$';
     return formulas.empty() ? std::string() : words;
   };
-  const std::string order = given.small.empty() || kind == ClaimKind::measured
-                                ? "for small"
-                                : fmt::format("to {} order in", name_of_order(given.small.order));
-  return joined(listed(printed_conditions(given), "given"), listed(printed_small(given), order));
+  const std::string order =
+      given.small.empty() || kind == ClaimKind::measured
+          ? std::string(words::kForSmall.in(language))
+          : words::kToOrderIn.with(language, {order_in_words(given.small.order, language)});
+  return joined(listed(printed_conditions(given), std::string(words::kGiven.in(language))),
+                listed(printed_small(given), order));
 }
 
 /// What is true of other motions than the one beside it does not stand there as if it were of that, too.
-std::string why_not_of_this(ClaimKind kind, const Scene& scene) {
+std::string why_not_of_this(ClaimKind kind, const Scene& scene, Language language) {
   const bool is_of_motions = kind == ClaimKind::free || kind == ClaimKind::motion || kind == ClaimKind::law;
-  if (is_of_motions && loses_energy_inside(scene)) return "not of this body, which loses energy inside";
-  return kind == ClaimKind::free && !scene.torque.empty() ? "here one acts" : "";
+  if (is_of_motions && loses_energy_inside(scene)) return std::string(words::kNotOfThisBody.in(language));
+  return kind == ClaimKind::free && !scene.torque.empty() ? std::string(words::kHereOneActs.in(language))
+                                                          : "";
+}
+
+/// The words of a state, which are English beside its formulas.
+std::string state_in(const Counterexample& counter, Language language) {
+  std::string state = counter.state_tex;
+  for (const Phrase& phrase : {words::kAnyState, words::kAttitude}) {
+    const std::string_view english = phrase.in(Language::en);
+    if (const std::size_t at = state.find(english); at != state.npos)
+      state.replace(at, english.size(), phrase.in(language));
+  }
+  return state;
 }
 
 /// Of what is false, or does not follow.
-std::string words_of(const Counterexample& counter, ClaimKind kind) {
+std::string words_of(const Counterexample& counter, ClaimKind kind, Language language) {
   const std::string sides =
       fmt::format("${} \\ne {}$", numbers_as_tex(counter.left), numbers_as_tex(counter.right));
   if (kind == ClaimKind::non_sequitur)
-    return fmt::format("at {} the premise holds, and {}", counter.state_tex, sides);
-  return fmt::format("for example at {}: {}", counter.state_tex, sides);
+    return words::kPremiseHolds.with(language, {state_in(counter, language), sides});
+  return words::kForExampleAt.with(language, {state_in(counter, language), sides});
 }
 
 /// Numbers of a row: two or three digits of the largest component, a factor of ten set apart where it is not
@@ -212,43 +232,44 @@ Row row_of(const ChainLines& chain, bool refutes, const LiveState& live, View vi
 }
 
 /// "to within 0.9 %": the roughest of the tolerances that the author gave; empty where there is none.
-std::string within_of(const Claim& claim) {
+std::string within_of(const Claim& claim, Language language) {
   double within = 0;
   for (const ClaimLine& line : claim.lines) within = std::max(within, line.within.value_or(0.0));
-  return within == 0 ? "" : fmt::format("to within {:.2g} %", 100.0 * within);
+  return within == 0 ? "" : words::kToWithin.with(language, {fmt::format("{:.2g}", 100.0 * within)});
 }
 
 /// Why a measured claim fails on its motion; nothing if it holds.
-std::optional<std::string> why_not_measured(const Claim& claim, const SceneModel& model) {
+std::optional<std::string> why_not_measured(const Claim& claim, const SceneModel& model, Language language) {
   for (const ClaimLine& line : claim.lines) {
     const auto measured = measure(line.equality, line.within, model, claim.given);
-    if (!measured) return "has no value at some time";
-    if (measured->tolerance > kDecisive) return "the step is too long to tell";
-    if (!measured->decides()) return "the terms cancel too far to tell";
-    if (!measured->holds()) return fmt::format("fails at $t$ = {:.3g} s", measured->t_s);
+    if (!measured) return std::string(words::kHasNoValue.in(language));
+    if (measured->tolerance > kDecisive) return std::string(words::kStepTooLong.in(language));
+    if (!measured->decides()) return std::string(words::kTermsCancel.in(language));
+    if (!measured->holds()) return words::kFailsAt.with(language, {fmt::format("{:.3g}", measured->t_s)});
   }
   return std::nullopt;
 }
 
-std::string_view claimed_is(const Claim& claim, Certainty certainty) {
-  if (claim.origin == Claim::Origin::part) return "in part";
-  if (certainty == Certainty::proved) return "proved";
-  if (certainty == Certainty::stated) return claim.kind == ClaimKind::measured ? "checked" : "stated";
-  return "claimed";
+Phrase claimed_is(const Claim& claim, Certainty certainty) {
+  if (claim.origin == Claim::Origin::part) return words::kInPart;
+  if (certainty == Certainty::proved) return words::kProved;
+  if (certainty == Certainty::stated)
+    return claim.kind == ClaimKind::measured ? words::kChecked : words::kStated;
+  return words::kClaimed;
 }
 
-VerdictRow verdict_on(const Claim& claim, const Scene* scene, const SceneModel* model) {
+VerdictRow verdict_on(const Claim& claim, const Scene* scene, const SceneModel* model, Language language) {
   VerdictRow row{.claim = &claim,
                  .certainty = certainty_of(claim.kind),
-                 .word = std::string(word_of(claim.kind)),
-                 .note = words_of(claim.given, claim.kind),
+                 .word = std::string(word_of(claim.kind).in(language)),
+                 .note = words_of(claim.given, claim.kind, language),
                  .claimed = {}};
-  const auto is_instead = [&row](Certainty certainty, std::string word, std::string note) {
+  const auto is_instead = [&](Certainty certainty, const Phrase& word, std::string note) {
     row.certainty = certainty;
-    row.word = std::move(word);
+    row.word = word.in(language);
     row.note = std::move(note);
   };
-  if (scene != nullptr) row.note = joined(row.note, why_not_of_this(claim.kind, *scene));
+  if (scene != nullptr) row.note = joined(row.note, why_not_of_this(claim.kind, *scene, language));
   std::optional<Counterexample> counter;
   bool holds = true;
   int states = 0;  // in which what is not refuted held, the fewest of a line; 0: there is no such line
@@ -260,61 +281,64 @@ VerdictRow verdict_on(const Claim& claim, const Scene* scene, const SceneModel* 
     if (claim.origin != Claim::Origin::formula) row.claimed.push_back(line.tex);
   }
   if (!holds && counter)
-    is_instead(Certainty::refuted, "does not hold", to_string(*counter));
+    is_instead(Certainty::refuted, words::kDoesNotHold, to_string(*counter));
   else if (states > 0)
-    is_instead(Certainty::open, "not proved", fmt::format("not refuted at {} states", states));
+    is_instead(Certainty::open, words::kNotProved,
+               words::kNotRefuted.with(language, {std::to_string(states)}));
   else if (!holds)
-    is_instead(Certainty::open, "not proved", "");
+    is_instead(Certainty::open, words::kNotProved, "");
   else if (refutes(claim.kind) && counter)
-    row.example = words_of(*counter, claim.kind);
+    row.example = words_of(*counter, claim.kind, language);
   // "A does not give B" is what the formula says, and it is right.
   if (holds && claim.kind == ClaimKind::non_sequitur && claim.origin == Claim::Origin::formula) {
     row.certainty = Certainty::proved;
-    row.word = "an example shows it";
+    row.word = words::kAnExampleShowsIt.in(language);
   }
   if (claim.kind != ClaimKind::measured || !holds) return row;
   if (scene == nullptr) {
-    is_instead(Certainty::open, "not confirmed", "there is no motion here");
+    is_instead(Certainty::open, words::kNotConfirmed, std::string(words::kNoMotionHere.in(language)));
     return row;
   }
-  row.note = joined(joined(how_it_is_computed(scene), within_of(claim)), row.note);
-  if (const auto why = model ? why_not_measured(claim, *model) : std::nullopt)
-    is_instead(Certainty::open, "not confirmed", *why);
+  row.note = joined(joined(how_it_is_computed(scene, language), within_of(claim, language)), row.note);
+  if (const auto why = model ? why_not_measured(claim, *model, language) : std::nullopt)
+    is_instead(Certainty::open, words::kNotConfirmed, *why);
   return row;
 }
 
 }  // namespace
 
-VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel* model) {
-  VerdictRow row = verdict_on(claim, scene, model);
-  row.claimed_is = claimed_is(claim, row.certainty);
+VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel* model, Language language) {
+  VerdictRow row = verdict_on(claim, scene, model, language);
+  row.claimed_is = claimed_is(claim, row.certainty).in(language);
+  for (std::string* text : {&row.note, &row.example}) *text = with_decimals(std::move(*text), language);
   return row;
 }
 
-std::vector<std::string> widest_live_rows(const Claim& claim) {
+std::vector<std::string> widest_live_rows(const Claim& claim, Language language) {
   std::vector<std::string> rows;
   for (const ChainLines& chain : chains_of(claim)) {
     const bool is_vector = chain.front()->equality.is_vector();
     const std::string side = is_vector ? "(−0.00, −0.00, −0.00)" : "−0.00${\\cdot}10^{-4}$";
     std::string row = frame_of(is_vector, View::body) + side;
     for (std::size_t i = 0; i < chain.size(); ++i) row += " = " + side;
-    rows.push_back(std::move(row));
+    rows.push_back(with_decimals(std::move(row), language));
   }
   return rows;
 }
 
-std::vector<std::string> live_rows(const Claim& claim, const LiveState& live, View view) {
+std::vector<std::string> live_rows(const Claim& claim, const LiveState& live, View view, Language language) {
   const auto value = holds_on(claim.given, live) ? live_value(claim, live, view) : std::nullopt;
   if (!value) return {};
   const bool refutes = claim.kind == ClaimKind::is_false;
   if (value->tolerance > kDecisive)
-    return refutes ? std::vector<std::string>() : std::vector<std::string>{"the step is too long to tell"};
+    return refutes ? std::vector<std::string>()
+                   : std::vector<std::string>{std::string(words::kStepTooLong.in(language))};
   std::vector<std::string> rows;
   bool all_are_nothing = true;
   for (const ChainLines& chain : chains_of(claim)) {
     Row row = row_of(chain, refutes, live, view);
     all_are_nothing = all_are_nothing && row.is_nothing;
-    rows.push_back(std::move(row.text));
+    rows.push_back(with_decimals(std::move(row.text), language));
   }
   // 0 = 0 alone tells nothing, as where no torque acts; beside others it says which of them it is.
   if (all_are_nothing && !refutes) rows.assign(rows.size(), "");

@@ -3,6 +3,7 @@
 // both its sides come to on the running motion.
 #pragma once
 
+#include "base/words/language.h"
 #include "lessons/claims/live_claims.h"
 
 #include <string>
@@ -34,7 +35,7 @@ struct VerdictRow {
 };
 /// `scene` is that of the claim's own step and says how its motion is computed; null where there is none.
 /// With a model of it, measured claims are measured. A claim that nobody has proved is "not proved".
-VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel* model);
+VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel* model, Language language);
 
 /// So many equations of a claim get their numbers; of more there are none.
 inline constexpr std::size_t kMostLiveRows = 3;
@@ -42,11 +43,11 @@ inline constexpr std::size_t kMostLiveRows = 3;
 /// As wide as nearly all of each row; wider ones are set smaller. A row for each equation that has two sides
 /// on the page: a chain is one. None for what says that something is 0, unless it is false: 0 = 0 tells
 /// nothing.
-std::vector<std::string> widest_live_rows(const Claim& claim);
+std::vector<std::string> widest_live_rows(const Claim& claim, Language language);
 /// "(0.31, −0.20, 1.13) = (0.31, −0.20, 1.13)", as set_line sets it: what the sides of each row come to, at
 /// most two digits behind the point. What holds to an order has "≈" between them, and its numbers are not
 /// made equal; where they are further apart than a tenth, "≠". A step that is too long to tell has no
 /// numbers, and says so. Empty where there are no values.
-std::vector<std::string> live_rows(const Claim& claim, const LiveState& live, View view);
+std::vector<std::string> live_rows(const Claim& claim, const LiveState& live, View view, Language language);
 
 }  // namespace polhode

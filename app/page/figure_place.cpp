@@ -242,8 +242,9 @@ PlacedFigure place_scene(const SceneModel& model, const OwnCaption& caption, dou
 
 PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace& place, const Fonts& fonts) {
   const std::vector<const SceneModel*> shown = shown_models(model);
-  const auto caption_of = [&](std::size_t i) -> const std::string& {
-    return place.captions.empty() ? shown[i]->scene.caption : place.captions[i];
+  const auto caption_of = [&](std::size_t i) {
+    return with_decimals_in_formulas(place.captions.empty() ? shown[i]->scene.caption : place.captions[i],
+                                     shown[i]->scene.language);
   };
   const auto writes = [&](std::size_t i) { return is_written(shown[i]->scene, t_s, place); };
   if (shown.size() == 1) return place_scene(model, {caption_of(0), writes(0)}, t_s, place, fonts, model);
@@ -255,7 +256,7 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
                 fonts);
   std::vector<OwnCaption> captions;
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const std::string& label = shown[i]->scene.label;
+    const std::string label = with_decimals(shown[i]->scene.label, shown[i]->scene.language);
     const bool has_own = label.empty() && !is_common;
     captions.push_back({has_own ? caption_of(i) : label, !has_own || writes(i)});
   }

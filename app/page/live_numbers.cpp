@@ -18,7 +18,7 @@ constexpr const char* kDash = "\\text{–}";
 /// So many times of the scene's interval say how wide a number becomes.
 constexpr int kWidthTimes = 25;
 
-Math read_math(const std::string& tex) { return parse_math(tex).value(); }
+Math read_math(const std::string& tex, Language language) { return parse_math(tex, {}, language).value(); }
 
 std::string tex_of(const ComputedNumber& number, std::optional<double> value) {
   return value ? number_tex(*value, number.written.digits) : number.row ? kDash : kDots;
@@ -37,7 +37,7 @@ bool is_plain(const std::string& tex) { return tex.find('\\') == tex.npos; }
 double PageNumbers::width_em(const std::string& tex) const {
   MathStyle style;
   style.size = 100;  // on a fine grid
-  const auto set = set_math(read_math(tex), style, *fonts_);
+  const auto set = set_math(read_math(tex, lesson_->about.language), style, *fonts_);
   return set ? set->width / style.size : 0.0;
 }
 
@@ -63,9 +63,9 @@ Math PageNumbers::put_into(const Math& math) const {
     if (!number.typed.empty())
       shown.emplace_back();
     else if (found == shown_.end())
-      shown.push_back({read_math(kDots)});
+      shown.push_back({read_math(kDots, math.language)});
     else
-      shown.push_back({read_math(found->second.tex),
+      shown.push_back({read_math(found->second.tex, math.language),
                        found->second.runs ? live_name(static_cast<std::size_t>(number.id)) : ""});
   }
   return with_numbers(math, shown);
@@ -103,7 +103,8 @@ RichText PageNumbers::put_into(RichText text) const {
           const auto room = rooms.find(span.math.live.front().id);
           if (room == rooms.end()) continue;
           const std::string space = fmt::format("\\hspace{{{:.4f}em}}", room->second);
-          span.math = with_numbers(span.math, {{read_math(shown_.at(room->first).tex + space)}});
+          span.math =
+              with_numbers(span.math, {{read_math(shown_.at(room->first).tex + space, span.math.language)}});
         }
   }
   for_each_span(text, [this](TextSpan& span) { span.math = put_into(span.math); });
@@ -134,8 +135,8 @@ std::vector<LiveRoom> PageNumbers::take_rooms(DisplayList& list) const {
 }
 
 PlacedType live_number_in(const LiveRoom& room, const ComputedNumber& number, std::optional<double> value,
-                          const Fonts& fonts) {
-  const Math math = read_math(tex_of(number, value));
+                          Language language, const Fonts& fonts) {
+  const Math math = read_math(tex_of(number, value), language);
   MathStyle style;
   style.size = room.size;
   style.color = room.color;

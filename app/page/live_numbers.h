@@ -61,7 +61,7 @@ class PageNumbers {
 
 /// The number in its room, smaller where it is too wide; dots where there is none.
 PlacedType live_number_in(const LiveRoom& room, const ComputedNumber& number, std::optional<double> value,
-                          const Fonts& fonts);
+                          Language language, const Fonts& fonts);
 
 /// The values that these numbers come to over the interval of the scene, evenly in time, and at its still.
 std::map<int, std::vector<double>> values_over(const SceneModel& model, const Lesson& lesson,

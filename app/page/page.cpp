@@ -350,16 +350,17 @@ void add_meters(const PageRequest& request, const FigureCell& cell, const std::v
 }
 
 /// The values of a piece's claims and the live numbers of its formulas, each at its slot.
-Sheet live_values(const ColumnPiece& piece, const LiveState* live, View view, const Fonts& fonts) {
+Sheet live_values(const ColumnPiece& piece, const LiveState* live, View view, Language language,
+                  const Fonts& fonts) {
   Sheet sheet;
   for (const LiveNumberSlot& slot : piece.numbers) {
     const auto value = live ? value_of(*slot.number, *live) : std::nullopt;
-    sheet.texts.push_back(live_number_in(slot.room, *slot.number, value, fonts));
+    sheet.texts.push_back(live_number_in(slot.room, *slot.number, value, language, fonts));
   }
   if (!live) return sheet;
   for (const LiveSlot& slot : piece.live) {
     double y = slot.end.y();
-    for (const std::string& text : live_rows(*slot.claim, *live, view)) {
+    for (const std::string& text : live_rows(*slot.claim, *live, view, language)) {
       TextStyle style = slot.style;
       DisplayList line = set_line(text, style, fonts);
       if (line.width > slot.room) {
@@ -386,7 +387,9 @@ Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& f
     const auto live = model ? live_state(*model, t_s) : std::nullopt;
     const View view = model ? model->scene.views.front() : View::space;
     for (const ColumnPiece& piece : pieces)
-      if (is_of_step(piece)) append(sheet, live_values(piece, live ? &*live : nullptr, view, fonts), {0, 0});
+      if (is_of_step(piece))
+        append(sheet, live_values(piece, live ? &*live : nullptr, view, request.lesson.about.language, fonts),
+               {0, 0});
   };
   const std::span<const FiguredStep> before = request.before.value_or(std::span<const FiguredStep>());
   for (const FiguredStep& one : before)

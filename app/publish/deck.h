@@ -9,6 +9,7 @@
 #include "app/page/page_theme.h"
 #include "app/publish/live/live_program.h"
 #include "base/files/atomic_file.h"
+#include "base/words/language.h"
 #include "render/image/image.h"
 
 #include <filesystem>
@@ -32,10 +33,10 @@ struct DeckSlide {
 
 struct Deck {
   std::string title;
-  std::string author{};         ///< all of them in one line; may be empty
-  std::string language = "en";  ///< BCP 47
-  Theme theme = Theme::paper;   ///< around the pictures
-  int dpi = 0;                  ///< of printed pictures; 0: their shorter side is kDeckSide_in
+  std::string author{};  ///< all of them in one line; may be empty
+  Language language = Language::en;
+  Theme theme = Theme::paper;  ///< around the pictures
+  int dpi = 0;                 ///< of printed pictures; 0: their shorter side is kDeckSide_in
   std::vector<DeckSlide> slides;
   /// Of an HTML deck: once it is pressed, the figure of a slide takes the slide's place and moves. Absent:
   /// slides are pictures, and nothing else.

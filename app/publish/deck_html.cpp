@@ -8,6 +8,8 @@
 #include "app/publish/html_frame.h"
 #include "app/publish/html_text.h"
 #include "app/publish/live/live_assets.h"
+#include "base/words/deck_words.h"
+#include "base/words/page_words.h"
 #include "render/image/png.h"
 #include "render/image/webp.h"
 
@@ -82,11 +84,23 @@ std::string linked_html(const StepNote& note) {
   return html + html_escaped(text.substr(at));
 }
 
-std::string notes_html(const std::vector<StepNote>& notes) {
+std::string_view notes_label(Language language) {
+  for (const words::PlacedPhrase& phrase : words::kDeck)
+    if (std::string_view(phrase.place) == "notes") return phrase.words.in(language);
+  return {};
+}
+
+/// What the deck's script says, as JSON.
+std::string words_of_script(Language language) {
+  return fmt::format(R"({{"slide":"{}","typed":"{}","none":"{}"}})", words::kSlideIs.in(language),
+                     words::kSlideTyped.in(language), words::kNoSuchSlide.in(language));
+}
+
+std::string notes_html(const std::vector<StepNote>& notes, Language language) {
   std::string html;
   for (const StepNote& note : notes)
     html += fmt::format("<p class=\"{}\">{}</p>\n", class_of(note.kind), linked_html(note));
-  return html.empty() ? "<p class=\"text\">This slide has no notes.</p>\n" : html;
+  return html.empty() ? fmt::format("<p class=\"text\">{}</p>\n", words::kNoNotes.in(language)) : html;
 }
 
 std::string heading_html(const DeckSlide& slide, const std::string& id, std::size_t number) {
@@ -148,7 +162,7 @@ class Pictures {
 };
 
 Status append_slide(const DeckSlide& slide, const EncodedPicture& picture, std::size_t number, bool live,
-                    const Sink& sink) {
+                    Language language, const Sink& sink) {
   const bool moves = live && !slide.live.empty();
   const std::string id = html_escaped(slide.png.stem().string());
   Status status =
@@ -161,8 +175,8 @@ Status append_slide(const DeckSlide& slide, const EncodedPicture& picture, std::
   if (status)
     status =
         sink(fmt::format("\">{}\n<div class=\"notes\" tabindex=\"0\" role=\"region\" "
-                         "aria-label=\"Notes\">\n{}</div>\n</section>\n",
-                         moves ? "</figure>" : "", notes_html(slide.notes)));
+                         "aria-label=\"{}\">\n{}</div>\n</section>\n",
+                         moves ? "</figure>" : "", notes_label(language), notes_html(slide.notes, language)));
   return status;
 }
 
@@ -172,7 +186,9 @@ Status append_slides(const Deck& deck, Size first, const Sink& sink, const DeckP
     if (!go_on(i)) return failure("stopped");
     const Result<EncodedPicture> picture = pictures.next();
     if (!picture) return failure(picture.error());
-    if (Status status = append_slide(deck.slides[i], *picture, i + 1, deck.live.has_value(), sink); !status)
+    if (Status status =
+            append_slide(deck.slides[i], *picture, i + 1, deck.live.has_value(), deck.language, sink);
+        !status)
       return status;
   }
   return success();
@@ -196,8 +212,8 @@ Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckP
       "form-action 'none'",
       policy_hash(style), policy_hash(script),
       deck.live ? ' ' + policy_hash(figures) + ' ' + live_policy(*deck.live) : "");
-  const std::map<std::string, std::string> texts = {
-      {"language", html_escaped(deck.language)},
+  std::map<std::string, std::string> texts = {
+      {"language", std::string(tag_of(deck.language))},
       {"policy", policy},
       {"scheme", deck.theme == Theme::dark ? "dark" : "light"},
       {"paper", hex(colors_of(deck.theme).paper)},
@@ -211,6 +227,9 @@ Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckP
       {"without", deck.live ? kLiveNoScript : ""},
       {"live", deck.live ? live_elements(*deck.live) + "<script>" + figures + "</script>\n" : ""},
   };
+  for (const words::PlacedPhrase& phrase : words::kDeck)
+    texts.emplace(phrase.place, phrase.words.in(deck.language));
+  texts.emplace("words", html_escaped(words_of_script(deck.language)));
   const Sink sink(append);
   return append_frame(deck_assets::kDeckHtml, append, [&](const std::string& name) {
     return name == "slides" ? append_slides(deck, first, sink, go_on) : sink(texts.at(name));

@@ -179,7 +179,7 @@ class PdfDeck {
 
   void describe_document() {
     Object root = pdf_.root();
-    root.set("/Lang", Object::text(deck_.language));
+    root.set("/Lang", Object::text(std::string(tag_of(deck_.language))));
     root.set("/MarkInfo", Object::parse("<< /Marked true >>"));
     root.set("/ViewerPreferences", Object::parse("<< /DisplayDocTitle true >>"));
     root.set("/PageLayout", Object::name("/SinglePage"));

@@ -10,6 +10,7 @@
 #include "app/publish/zip_file.h"
 #include "base/markup.h"
 #include "base/sha256.h"
+#include "base/words/page_words.h"
 
 #include <fmt/format.h>
 
@@ -181,7 +182,7 @@ class PptxDeck {
         pictures_(pictures),
         layout_(deck, pictures),
         titles_(titles_of(deck)),
-        language_(escaped(deck.language)),
+        language_(tag_of(deck.language)),
         zip_(append) {}
 
   Status write(const DeckProgress& go_on) {
@@ -383,7 +384,8 @@ class PptxDeck {
                                                                  : "";
       paragraphs += "<a:p>" + run(with_addresses(note), look) + "</a:p>\n";
     }
-    if (paragraphs.empty()) paragraphs = "<a:p>" + run("This slide has no notes.", "") + "</a:p>\n";
+    if (paragraphs.empty())
+      paragraphs = "<a:p>" + run(std::string(words::kNoNotes.in(deck_.language)), "") + "</a:p>\n";
     return fmt::format(
         "{}<p:notes {}>\n<p:cSld>\n<p:spTree>\n{}"
         "<p:sp>\n<p:nvSpPr><p:cNvPr id=\"2\" name=\"Slide\"/><p:cNvSpPr><a:spLocks noGrp=\"1\" noRot=\"1\" "

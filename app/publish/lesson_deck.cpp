@@ -2,6 +2,7 @@
 #include "app/publish/lesson_deck.h"
 
 #include "app/narration/step_transcript.h"
+#include "base/words/page_words.h"
 #include "render/image/png_summary.h"
 
 #include <fmt/format.h>
@@ -22,21 +23,24 @@ Result<std::string> description_in(const std::filesystem::path& file) {
 }
 
 /// Its title, or its number, where a slide is a step of several; of a page, which steps it has.
-std::string part_of(const SpeechText& speech, const PlannedPicture& picture, const ExportOptions& options) {
+std::string part_of(const SpeechText& speech, const PlannedPicture& picture, const ExportOptions& options,
+                    Language language) {
   const std::size_t steps = picture.stage->steps.size();
   if (options.each == Each::page && picture.first_step < picture.step &&
       static_cast<std::size_t>(picture.step - picture.first_step) + 1 < steps)
-    return fmt::format("steps {}–{} of {}", picture.first_step, picture.step, steps);
+    return words::kStepsOf.with(
+        language, {std::to_string(picture.first_step), std::to_string(picture.step), std::to_string(steps)});
   if (options.each == Each::page && picture.first_step == picture.step && steps > 1)
-    return fmt::format("step {} of {}", picture.step, steps);
+    return words::kStepOf.with(language, {std::to_string(picture.step), std::to_string(steps)});
   if (options.each == Each::step && picture.stage->steps.size() > 1) {
     const Step& step = picture.stage->steps[static_cast<std::size_t>(picture.step - 1)];
-    return step.title.empty() ? fmt::format("step {} of {}", picture.step, picture.stage->steps.size())
-                              : speech.words(step.title);
+    return step.title.empty()
+               ? words::kStepOf.with(language, {std::to_string(picture.step), std::to_string(steps)})
+               : speech.words(step.title);
   }
   if (!picture.equation || options.each == Each::step) return {};
-  return fmt::format("equation {}", picture.equation->tag.empty() ? picture.equation->id
-                                                                  : "(" + picture.equation->tag + ")");
+  return words::kEquationPart.with(
+      language, {picture.equation->tag.empty() ? picture.equation->id : "(" + picture.equation->tag + ")"});
 }
 
 struct Steps {
@@ -100,7 +104,7 @@ Result<Deck> deck_of(const Lesson& lesson, const ExportOptions& options, const E
     slide.png = folder / picture.file;
     slide.stage = picture.number;
     slide.title = speech.words(picture.stage->title_text);
-    slide.part = part_of(speech, picture, options);
+    slide.part = part_of(speech, picture, options, lesson.about.language);
     Result<std::string> alt = description_in(slide.png);
     if (!alt) return failure(alt.error());
     slide.alt = std::move(*alt);

@@ -47,7 +47,7 @@ Steering steering_of(const LessonSession& session, const StateTask& task) {
   steering.elsewhere = words_of(others);
   const bool has_other_torque =
       now.torque != lesson.torque && with_constant(lesson.torque, constant_torque(now.torque)) != now.torque;
-  if (has_other_torque) add(steering.elsewhere, facts_of(Steered::torque).words);
+  if (has_other_torque) add(steering.elsewhere, facts_of(Steered::torque).words.in(Language::en));
   if (!has_same_method(now.motion, lesson.motion)) add(steering.elsewhere, "the method");
   steering.t_s = judged_time_s(task, session.t_s());
   if (task.change.contains(Steered::t)) steering.state.t_s = session.t_s();

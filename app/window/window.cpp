@@ -157,7 +157,7 @@ class Loop {
     const std::string words = std::exchange(screen().requests().read_aloud, "");
     if (words.empty()) return;
     if (read_) return voice_.be_quiet();
-    const Status begun = voice_.say(words, session_.lesson().about.language);
+    const Status begun = voice_.say(words, std::string(tag_of(session_.lesson().about.language)));
     tell(begun ? "This step is read aloud; the same key stops it." : begun.error());
     if (begun) read_ = session_.place();
   }

@@ -8,6 +8,9 @@
 
   const start = () => {
     const byId = (id) => document.getElementById(id);
+    // In the language of the slides.
+    const words = JSON.parse(document.body.dataset.words);
+    const filled = (text, ...parts) => text.replace(/\{(\d)\}/g, (part, i) => parts[i]);
     const slides = [...document.querySelectorAll('.slide')];
     const bar = byId('bar'), keys = byId('keys'), typed = byId('typed'), status = byId('status');
     const last = slides.length - 1;
@@ -51,7 +54,7 @@
       byId('where').textContent = title;
       byId('back').disabled = index === 0;
       byId('next').disabled = index === last;
-      say(`Slide ${index + 1} of ${slides.length}: ${title}`);
+      say(filled(words.slide, index + 1, slides.length, title));
       if (reading) slides[index].querySelector('.notes')?.focus({preventScroll: true});
       // What stands behind it in an address is the figure's (assets/web/figures.js).
       if (idIn(location.hash) !== slides[index].id) history.replaceState(null, '', '#' + slides[index].id);
@@ -111,7 +114,7 @@
 
     const type = (text) => {
       digits = text;
-      typed.textContent = `Slide ${digits}`;
+      typed.textContent = filled(words.typed, digits);
       typed.hidden = digits === '';
     };
 
@@ -146,7 +149,7 @@
       if (digits !== '') {
         const number = Number(digits);
         type('');
-        if (number < 1 || number > slides.length) say(`There is no slide ${number}; the last is ${slides.length}`);
+        if (number < 1 || number > slides.length) say(filled(words.none, number, slides.length));
         else if (is('overview')) setOverview(false).then(() => show(number - 1));
         else show(number - 1);
         return true;

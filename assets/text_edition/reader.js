@@ -3,6 +3,8 @@
 // page. Without it everything can be read; with it nothing is kept beyond the page.
 "use strict";
 (() => {
+  // In the language of the lesson.
+  const words = JSON.parse(document.body.dataset.words);
   const say = (form, good, words, parts) => {
     const output = form.querySelector("output");
     output.className = good ? "good" : "bad";
@@ -16,10 +18,10 @@
 
   const judgeChoice = (form) => {
     const picked = form.querySelector("input:checked");
-    if (!picked) return say(form, false, "Pick one of the choices.", []);
+    if (!picked) return say(form, false, words.pickOne, []);
     const right = picked.value === form.dataset.answer;
     const reply = inside(form, `.reply[data-choice="${picked.value}"]`);
-    say(form, right, right ? "Right." : "Not right.", right ? [...reply, ...inside(form, ".because")] : reply);
+    say(form, right, right ? words.right : words.notRight, right ? [...reply, ...inside(form, ".because")] : reply);
     if (right) showMoments(form);
   };
   const showMoments = (form) => {
@@ -29,16 +31,18 @@
   const judgeOrder = (form) => {
     const places = [...form.querySelectorAll("select")].map((select) => select.value);
     if (places.some((place) => place === "") || new Set(places).size !== places.length)
-      return say(form, false, "Give each of them a place of its own.", []);
+      return say(form, false, words.eachAPlace, []);
     const order = places.map((_, i) => String(places.indexOf(String(i + 1)) + 1)).join(" ");
     const right = order === form.dataset.answer;
-    say(form, right, right ? "Right." : "Not right.", right ? inside(form, ".because") : []);
+    say(form, right, right ? words.right : words.notRight, right ? inside(form, ".because") : []);
   };
 
   // "4.2", "-4,200", "1.2e3", "1.2·10^3", "1.2 × 10³", with the unit of the question or without one.
   const numberOf = (text, unit) => {
     const raised = "⁰¹²³⁴⁵⁶⁷⁸⁹";
     let typed = text.trim().replace(/[\u2212\u2013]/g, "-");
+    // Where numbers have commas, points are read as well.
+    if (words.decimal === ",") typed = typed.replace(/^([-+]?\d*),(?=\d)/, "$1.");
     typed = typed.replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+/g, (power) => {
       const plain = [...power].map((c) => (c === "⁻" ? "-" : raised.indexOf(c))).join("");
       return /10$/.test(typed.slice(0, typed.indexOf(power))) ? "^" + plain : power;
@@ -53,9 +57,9 @@
     const { value, within, unit } = form.dataset;
     const typed = numberOf(form.querySelector("input").value, unit);
     if (typed === null || !Number.isFinite(typed))
-      return say(form, false, "Type a number" + (unit ? " in " + unit : "") + ", such as 1.5 or 2e-3.", []);
+      return say(form, false, unit ? words.aNumberIn.replace("{0}", unit) : words.aNumber, []);
     const right = Math.abs(typed - Number(value)) <= Number(within);
-    say(form, right, right ? "Right." : "Not right.", right ? inside(form, ".because") : []);
+    say(form, right, right ? words.right : words.notRight, right ? inside(form, ".because") : []);
   };
 
   const judges = { choice: judgeChoice, order: judgeOrder, number: judgeNumber };
@@ -78,10 +82,10 @@
       button.type = "button";
       button.className = "tex";
       button.textContent = "TeX";
-      button.setAttribute("aria-label", "Copy the TeX" + (tag ? " of equation " + tag.textContent : ""));
+      button.setAttribute("aria-label", tag ? words.copyTexOf.replace("{0}", tag.textContent) : words.copyTex);
       button.addEventListener("click", async () => {
         await navigator.clipboard.writeText(tex.textContent.trim());
-        button.textContent = "copied";
+        button.textContent = words.copied;
         setTimeout(() => { button.textContent = "TeX"; }, 2000);
       });
       equation.append(button);
@@ -93,7 +97,7 @@
       if (part.scrollWidth > part.clientWidth) {
         part.tabIndex = 0;
         part.setAttribute("role", "group");
-        part.setAttribute("aria-label", "Wider than the page; scrolls");
+        part.setAttribute("aria-label", words.wider);
       } else if (part.hasAttribute("tabindex")) {
         for (const name of ["tabindex", "role", "aria-label"]) part.removeAttribute(name);
       }

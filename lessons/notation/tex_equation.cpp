@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/notation/tex_equation.h"
 
+#include "base/words/formula_words.h"
 #include "lessons/claims/expressions/expression_names.h"
 #include "lessons/notation/tex_terms.h"
 
@@ -32,7 +33,9 @@ bool is_digit_item(const TexItem& item) {
 std::string words_of(const TexItem& item) {
   const std::string& text = item.node->text;
   const std::size_t begin = text.find_first_not_of(' ');
-  return begin == text.npos ? "" : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
+  if (begin == text.npos) return "";
+  return std::string(
+      words::read_in_english(std::string_view(text).substr(begin, text.find_last_not_of(' ') - begin + 1)));
 }
 
 bool is_implication(const TexItem& item) {

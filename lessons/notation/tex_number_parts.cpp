@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/notation/tex_number_parts.h"
 
+#include "base/words/formula_words.h"
 #include "lessons/notation/tex_atoms.h"
 #include "lessons/notation/tex_equation.h"
 
@@ -62,11 +63,11 @@ bool joins_sentences(const TexItem& item) {
   const std::string& text = item.node->text;
   const std::size_t begin = text.find_first_not_of(" ,");
   if (begin == text.npos) return true;
-  const std::string_view words =
-      std::string_view(text).substr(begin, text.find_last_not_of(" ,") + 1 - begin);
+  const std::string_view joining =
+      words::read_in_english(std::string_view(text).substr(begin, text.find_last_not_of(" ,") + 1 - begin));
   constexpr std::array<std::string_view, 12> kJoining{
       "and", "so", "hence", "thus", "therefore", "with", "also", "where", "while", "that is", "i.e.", "but"};
-  return std::find(kJoining.begin(), kJoining.end(), words) != kJoining.end();
+  return std::find(kJoining.begin(), kJoining.end(), joining) != kJoining.end();
 }
 
 bool has_words(const MathNode& node) {

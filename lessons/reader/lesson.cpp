@@ -56,7 +56,8 @@ const Equation* find_equation(const Lesson& lesson, std::string_view place) {
 
 std::string_view label_of(const Lesson& lesson, Callout::Kind kind) {
   const auto own = lesson.about.labels.find(kind);
-  return own != lesson.about.labels.end() ? std::string_view(own->second) : names_of(kind).label;
+  return own != lesson.about.labels.end() ? std::string_view(own->second)
+                                          : names_of(kind).label.in(lesson.about.language);
 }
 
 namespace {

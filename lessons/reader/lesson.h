@@ -5,6 +5,8 @@
 #pragma once
 
 #include "base/result.h"
+#include "base/words/language.h"
+#include "base/words/phrase.h"
 #include "lessons/claims/answers/answers.h"
 #include "lessons/claims/claim.h"
 #include "lessons/diagnostics/diagnostic.h"
@@ -58,20 +60,20 @@ struct Callout {
 /// What a kind of call-out is called.
 struct CalloutNames {
   Callout::Kind kind;
-  std::string_view name;   ///< in lessons
-  std::string_view label;  ///< beside it on a page, unless [labels] has another
-  std::string_view words;  ///< before it where it is said
+  std::string_view name;  ///< in lessons
+  Phrase label;           ///< beside it on a page, unless [labels] has another
+  Phrase words;           ///< before it where it is said
 };
 /// All kinds, in the order of the enumeration.
 inline constexpr std::array<CalloutNames, 8> kCallouts = {
-    {{Callout::Kind::said, "said", "As said", "The lecture said"},
-     {Callout::Kind::meant, "meant", "As meant", "What it meant"},
-     {Callout::Kind::note, "note", "Note", "Note"},
-     {Callout::Kind::example, "example", "Example", "Example"},
-     {Callout::Kind::quote, "quote", "Quote", "Quote"},
-     {Callout::Kind::aside, "aside", "Aside", "Aside"},
-     {Callout::Kind::derivation, "derivation", "Derivation", "Derivation"},
-     {Callout::Kind::notes, "notes", "Notes", "To say"}}};
+    {{Callout::Kind::said, "said", {"As said", "Gesagt"}, {"The lecture said", "Gesagt wird"}},
+     {Callout::Kind::meant, "meant", {"As meant", "Gemeint"}, {"What it meant", "Gemeint ist"}},
+     {Callout::Kind::note, "note", {"Note", "Hinweis"}, {"Note", "Hinweis"}},
+     {Callout::Kind::example, "example", {"Example", "Beispiel"}, {"Example", "Beispiel"}},
+     {Callout::Kind::quote, "quote", {"Quote", "Zitat"}, {"Quote", "Zitat"}},
+     {Callout::Kind::aside, "aside", {"Aside", "Nebenbei"}, {"Aside", "Nebenbei"}},
+     {Callout::Kind::derivation, "derivation", {"Derivation", "Herleitung"}, {"Derivation", "Herleitung"}},
+     {Callout::Kind::notes, "notes", {"Notes", "Notizen"}, {"To say", "Zu sagen"}}}};
 constexpr const CalloutNames& names_of(Callout::Kind kind) {
   return kCallouts[static_cast<std::size_t>(kind)];
 }
@@ -175,7 +177,7 @@ struct Symbol {
 struct About {
   std::vector<std::string> authors;
   std::string licence;
-  std::string language = "en";                       ///< BCP 47
+  Language language = Language::en;
   std::vector<std::string> outcomes, prerequisites;  ///< plain lines
   std::string next;                                  ///< id of a lesson
   std::map<Callout::Kind, std::string> labels;       ///< of call-outs that are not to have the usual ones

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/figure/make_figure.h"
 
+#include "base/words/figure_words.h"
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
 #include "render/figure/builders/builders.h"
@@ -200,7 +201,9 @@ Pane make_pane(builders::Snapshot m, double aspect, double least_half_height) {
   return pane;
 }
 
-std::string title_of(View view) { return view == View::space ? "space frame $S$" : "body frame $S^*$"; }
+std::string title_of(View view, Language language) {
+  return std::string((view == View::space ? words::kSpaceFrame : words::kBodyFrame).in(language));
+}
 
 /// The body in its first attitude, turned by two quarters in this order over the scene's span.
 builders::Snapshot turned_snapshot(const SceneModel& model, double t_s, TurnOrder order) {
@@ -222,7 +225,7 @@ std::vector<Pane> make_panes_of_orders(const SceneModel& model, double t_s, doub
     const double place = static_cast<double>(panes.size()) / kCount;
     Pane pane = make_pane(turned_snapshot(model, t_s, order), stacked ? aspect * kCount : aspect / kCount,
                           least_half_height);
-    pane.title = title_of(order);
+    pane.title = title_of(order).in(model.scene.language);
     (stacked ? pane.y : pane.x) = place;
     (stacked ? pane.height : pane.width) = 1.0 / kCount;
     panes.push_back(std::move(pane));
@@ -239,7 +242,7 @@ std::vector<Pane> make_panes_of_views(const SceneModel& model, double t_s, doubl
                               aspect / static_cast<double>(views.size()), least_half_height));
     panes.back().x = static_cast<double>(panes.size() - 1) / static_cast<double>(views.size());
     panes.back().width = 1.0 / static_cast<double>(views.size());
-    if (views.size() > 1) panes.back().title = title_of(view);
+    if (views.size() > 1) panes.back().title = title_of(view, model.scene.language);
   }
   return panes;
 }

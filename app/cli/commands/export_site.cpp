@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace polhode {
@@ -27,13 +28,16 @@ namespace {
 std::vector<LoadedLesson> lessons_of(const TypedExport& typed) {
   std::vector<std::string> names = typed.lessons;
   if (names.empty())
-    for (const FoundLesson& found : lessons_in(lesson_folders())) names.push_back(found.path.string());
+    for (const FoundLesson& found : lessons_in(lesson_folders())) {
+      names.push_back(found.path.string());
+      for (const fs::path& path : translations_of(found.path)) names.push_back(path.string());
+    }
   if (names.empty()) throw usage("there are no lessons to make a site of; see: polhode list");
   std::vector<LoadedLesson> loaded;
   std::set<std::string> ids;
   for (const std::string& name : names) {
     LoadedLesson one = or_fail(load_lesson(name));
-    if (!ids.insert(one.lesson.id).second)
+    if (!ids.insert(page_name(one.lesson.id, one.lesson.about.language)).second)
       throw usage(
           fmt::format("two lessons have the id \"{}\": their pages would have one name", one.lesson.id));
     if (one.lesson.id == "index")
@@ -44,10 +48,19 @@ std::vector<LoadedLesson> lessons_of(const TypedExport& typed) {
           one.lesson.id));
     loaded.push_back(std::move(one));
   }
+  // The first of each id is in the course, and behind it the same lesson in other languages.
   std::vector<const Lesson*> lessons;
-  for (const LoadedLesson& one : loaded) lessons.push_back(&one.lesson);
+  for (std::size_t i = 0; i < loaded.size(); ++i) {
+    const auto is_same = [&](const Lesson* one) { return one->id == loaded[i].lesson.id; };
+    if (std::any_of(lessons.begin(), lessons.end(), is_same)) continue;
+    lessons.push_back(&loaded[i].lesson);
+  }
+  std::vector<std::size_t> order;
+  for (const std::size_t first : course_order(lessons))
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+      if (loaded[i].lesson.id == lessons[first]->id) order.push_back(i);
   std::vector<LoadedLesson> ordered;
-  for (const std::size_t i : course_order(lessons)) ordered.push_back(std::move(loaded[i]));
+  for (const std::size_t i : order) ordered.push_back(std::move(loaded[i]));
   return ordered;
 }
 
@@ -79,7 +92,7 @@ ExitCode make_copies(const LoadedLesson& loaded, const SiteOutput& out, const st
   const fs::path folder = out.folder;
   for (const SiteCopy copy : out.with) {
     const ExportOptions options = options_of(copy, out);
-    const std::string name = loaded.lesson.id + kind_of(copy).ending;
+    const std::string name = page_name(loaded.lesson.id, loaded.lesson.about.language) + kind_of(copy).ending;
     const ExportIdentity identity = identity_of(loaded, options);
     const bool live = !live_file.empty() && copy == SiteCopy::html_slides;
     const std::string made_of =

@@ -147,7 +147,7 @@ Json about_json(const Lesson& lesson) {
   for (const Reference& reference : lesson.references) references[reference.key] = reference.text;
   return {{"author", about.authors},
           {"licence", text_or_null(about.licence)},
-          {"language", about.language},
+          {"language", tag_of(about.language)},
           {"outcomes", about.outcomes},
           {"prerequisites", about.prerequisites},
           {"next", text_or_null(about.next)},
@@ -192,7 +192,7 @@ void print_about(const Lesson& lesson) {
   };
   print_lines("author", about.authors);
   print_line("licence", about.licence);
-  print_line("language", about.language);
+  print_line("language", std::string(tag_of(about.language)));
   print_lines("outcomes", about.outcomes);
   print_lines("prerequisites", about.prerequisites);
   print_line("next", about.next);

@@ -11,6 +11,7 @@
 #include "lessons/reader/checks/lesson_check.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "lessons/reader/checks/question_check.h"
+#include "lessons/reader/checks/translation_check.h"
 #include "lessons/reader/checks/type_check.h"
 #include "lessons/reader/scene/scene_keys.h"
 
@@ -116,12 +117,41 @@ class OtherLessons {
   std::map<std::string, Result<Lesson>> read_;
 };
 
+/// Of a lesson in another language: where it differs from its original in more than words.
+std::vector<Diagnostic> translation_diagnostics(const Lesson& lesson, const std::string& file) {
+  const auto said = [&](Severity severity, std::string message, std::string hint) {
+    return std::vector{Diagnostic{severity, file, {1, 1}, std::move(message), std::move(hint)}};
+  };
+  const std::string original = original_of(file);
+  const std::string tag(tag_of(lesson.about.language));
+  if (original.empty()) {
+    if (lesson.about.language == Language::en) return {};
+    return said(Severity::warning,
+                "what the sentences of this lesson say is not checked: they are read in English alone",
+                "call it NAME." + tag + ".md, beside NAME.md in English, which it is then held against");
+  }
+  if (!file.ends_with('.' + tag + ".md"))
+    return said(Severity::error,
+                "the name of this file is that of another language than the lesson's, \"" + tag + '"',
+                "write language = \"…\" in the front matter, or give the file another name");
+  const auto text = read_lesson_text(original);
+  if (!text)
+    return said(Severity::error, "the lesson that this one translates is missing: " + original,
+                "a translation is held against its original, which stands beside it");
+  LessonReading reading = read_lesson(*text, original);
+  if (!reading.lesson)
+    return said(Severity::error, "the lesson that this one translates has errors: " + original,
+                "mend them first");
+  return check_translation(lesson, file, *reading.lesson, original);
+}
+
 /// All that is wrong with a text, for no more than kLintBudget.
 std::vector<Diagnostic> diagnostics_of(std::string_view text, const std::string& file) {
   Budget budget(kLintBudget);
   LessonReading reading = check_lesson(text, file, budget.effort());
   if (!reading.lesson) return std::move(reading.diagnostics);
   add_in_order(OtherLessons(file).check(*reading.lesson, file), reading.diagnostics);
+  add_in_order(translation_diagnostics(*reading.lesson, file), reading.diagnostics);
   try {
     add_in_order(check_claims(*reading.lesson, file, budget.effort()), reading.diagnostics);
     if (!budget.is_spent())

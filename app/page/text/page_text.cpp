@@ -6,6 +6,8 @@
 #include "app/page/text/page_verdicts.h"
 #include "app/page/text/recalled_equations.h"
 #include "app/page/text/symbol_glossary.h"
+#include "base/words/page_words.h"
+#include "base/words/verdict_words.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "render/scene/model/scene_problem.h"
 
@@ -99,7 +101,7 @@ class ScaledText {
         em_(em),
         scale_(scale),
         column_(width, scale * em, request.theme, request.profile, parts.symbols, parts.numbers, fonts,
-                least_small_type(request, em)),
+                least_small_type(request, em), request.lesson.about.language),
         last_(static_cast<std::size_t>(request.step - 1)),
         heading_{header(), title()},
         footnote_rule_(column_.footnote_rule()) {
@@ -332,11 +334,14 @@ class ScaledText {
     quiet.size = std::max(kHeaderSize * em, request_.scrolls ? kLeastSmall : 0.0);
     quiet.color = colors_of(request_.theme).quiet;
     quiet.sans = true;
-    std::string place = fmt::format("stage {} of {}", request_.number, request_.lesson.stages.size());
+    const std::string number = std::to_string(request_.number),
+                      count = std::to_string(request_.lesson.stages.size());
+    std::string place = words::kStageOf.with(language(), {number, count});
     if (!is_slide() && request_.stage.steps.size() > 1)
-      place += fmt::format("  ·  {} of {}", steps_in_words(), request_.stage.steps.size());
+      place += "  ·  " + words::kCountOf.with(
+                             language(), {steps_in_words(), std::to_string(request_.stage.steps.size())});
     const std::string whose = has_own_title() ? in_a_line(request_.stage.title_text) : request_.lesson.title;
-    const std::string brief = fmt::format("{} of {}", request_.number, request_.lesson.stages.size());
+    const std::string brief = words::kCountOf.with(language(), {number, count});
     DisplayList line = set_line(whose + "  ·  " + place, quiet, fonts_);
     if (line.width > width_ && has_own_title()) line = set_line(whose + "  ·  " + brief, quiet, fonts_);
     if (line.width > width_) line = set_line(place, quiet, fonts_);
@@ -348,10 +353,14 @@ class ScaledText {
     return piece;
   }
 
+  Language language() const { return request_.lesson.about.language; }
+
   std::string steps_in_words() const {
     const std::size_t before = request_.before ? request_.before->size() : 0;
-    if (before == 0) return fmt::format("step {}", request_.step);
-    return fmt::format("steps {}–{}", request_.step - static_cast<int>(before), request_.step);
+    const std::string last = std::to_string(request_.step);
+    if (before == 0) return words::kStepNumber.with(language(), {last});
+    return words::kStepsFromTo.with(language(),
+                                    {std::to_string(request_.step - static_cast<int>(before)), last});
   }
 
   /// What a step adds.
@@ -471,7 +480,7 @@ class ScaledText {
 
   void add_derivation(Pieces& pieces) {
     for (const ShownDerivedLine& line : request_.derivation.lines) {
-      const auto formula = parse_math(line.tex, request_.lesson.macros);
+      const auto formula = parse_math(line.tex, request_.lesson.macros, language());
       if (!formula) continue;  // it was set before it came here
       pieces.push_back(noted(column_.derived_line(*formula, line.word, line.certainty)));
       pieces.back().is_new = true;
@@ -502,8 +511,8 @@ class ScaledText {
     VerdictRow row = parts_.verdicts.at(&claim);
     if (is_print && claim.kind == ClaimKind::measured && row.certainty == Certainty::stated) row.note.clear();
     if (is_slide() && !row.claimed.empty()) {
-      const char* how = claim.origin == Claim::Origin::part ? "in part" : "in other words";
-      row.note = how + (row.note.empty() ? std::string() : ", " + row.note);
+      const Phrase how = claim.origin == Claim::Origin::part ? words::kInPart : words::kInOtherWords;
+      row.note = std::string(how.in(language())) + (row.note.empty() ? std::string() : ", " + row.note);
       row.claimed.clear();
     }
     ColumnPiece piece = column_.verdict(row, has_numbers);
@@ -528,11 +537,11 @@ class ScaledText {
   /// The first of its step on the page has the step's title; what is given is not said twice in a row.
   const ColumnPiece& earlier(const Recalled& recalled, const Recalled* above) {
     const Step& step = *recalled.of;
-    EarlierLabel label = label_of_earlier(parts_.verdicts, *recalled.equation, step);
+    EarlierLabel label = label_of_earlier(parts_.verdicts, *recalled.equation, step, language());
     if (above && above->of == recalled.of) label.title.clear();
     if (above && !label.note.empty()) {
-      const EarlierLabel last = label_of_earlier(parts_.verdicts, *above->equation, *above->of);
-      if (last.note == label.note) label.note = "under the same conditions";
+      const EarlierLabel last = label_of_earlier(parts_.verdicts, *above->equation, *above->of, language());
+      if (last.note == label.note) label.note = words::kUnderTheSameConditions.in(language());
     }
     const auto [made, is_new] = earlier_.try_emplace({recalled.equation, label.title + label.note});
     if (!is_new) return made->second;
@@ -626,7 +635,8 @@ std::string answers_at_foot(const PageRequest& request, int first) {
   std::string lines;
   const auto add = [&](const Stage& stage, std::size_t number) {
     if (const std::string answers = short_answers(request.lesson, stage); !answers.empty())
-      lines += fmt::format("{}Answers to stage {}: {}", lines.empty() ? "" : ". ", number, answers);
+      lines += (lines.empty() ? "" : ". ") +
+               words::kAnswersToStage.with(request.lesson.about.language, {std::to_string(number), answers});
   };
   const auto number = static_cast<std::size_t>(request.number);
   if (first == 1 && number > 1) add(stages[number - 2], number - 1);

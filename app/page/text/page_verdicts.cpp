@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/text/page_verdicts.h"
 
+#include "base/words/verdict_words.h"
+
 namespace polhode {
 
 Verdicts verdicts_of(const PageRequest& request) {
@@ -11,7 +13,8 @@ Verdicts verdicts_of(const PageRequest& request) {
     const SceneModel* model = i + 1 == request.step ? request.model : before ? before->model : nullptr;
     for (const Block& block : step.blocks)
       if (const auto* claim = std::get_if<Claim>(&block))
-        verdicts.emplace(claim, verdict_row(*claim, step.scene ? &*step.scene : nullptr, model));
+        verdicts.emplace(claim, verdict_row(*claim, step.scene ? &*step.scene : nullptr, model,
+                                            request.lesson.about.language));
   }
   return verdicts;
 }
@@ -30,7 +33,8 @@ std::string in_a_line(const RichText& title) {
   return line;
 }
 
-EarlierLabel label_of_earlier(const Verdicts& verdicts, const Equation& equation, const Step& step) {
+EarlierLabel label_of_earlier(const Verdicts& verdicts, const Equation& equation, const Step& step,
+                              Language language) {
   EarlierLabel label;
   label.title = in_a_line(step.title);
   for (const Block& block : step.blocks) {
@@ -38,14 +42,15 @@ EarlierLabel label_of_earlier(const Verdicts& verdicts, const Equation& equation
     if (!claim || claim->equation != equation.id) continue;
     const auto known = verdicts.find(claim);  // of another stage none is
     const VerdictRow row =
-        known != verdicts.end() ? known->second : verdict_row(*claim, step.scene.get(), nullptr);
+        known != verdicts.end() ? known->second : verdict_row(*claim, step.scene.get(), nullptr, language);
     if (is_beside(*claim, row)) continue;  // its word would seem to be of the formula
-    label.in_short = row.word + (claim->given.empty() ? "" : ", under an assumption");
+    label.in_short =
+        row.word + (claim->given.empty() ? "" : std::string(words::kUnderAnAssumption.in(language)));
     const bool is_of_what_holds = row.certainty == Certainty::proved && !row.note.empty();
     label.word = is_of_what_holds ? row.word : label.in_short;
     // The page shows another motion by now.
     if (claim->kind == ClaimKind::measured && row.certainty == Certainty::stated)
-      label.word = label.in_short = "checked on a motion";
+      label.word = label.in_short = words::kCheckedOnAMotion.in(language);
     if (is_of_what_holds) label.note = row.note;
     return label;
   }

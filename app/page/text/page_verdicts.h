@@ -23,6 +23,7 @@ std::string in_a_line(const RichText& title);
 
 /// The title of its step, the kind of the first claim on it, and what that is given: without that a recalled
 /// one would seem to hold always.
-EarlierLabel label_of_earlier(const Verdicts& verdicts, const Equation& equation, const Step& step);
+EarlierLabel label_of_earlier(const Verdicts& verdicts, const Equation& equation, const Step& step,
+                              Language language);
 
 }  // namespace polhode

@@ -2,6 +2,7 @@
 #include "app/page/text/text_column.h"
 
 #include "base/ascii.h"
+#include "base/words/page_words.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "lessons/reader/questions/state_keys.h"
 
@@ -350,7 +351,8 @@ ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
     baseline += top;
     piece = std::move(both);
   }
-  const std::vector<std::string> rows = is_live ? widest_live_rows(*row.claim) : std::vector<std::string>();
+  const std::vector<std::string> rows =
+      is_live ? widest_live_rows(*row.claim, language_) : std::vector<std::string>();
   if (rows.empty()) return piece;
 
   double room = 0;
@@ -513,7 +515,7 @@ Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const
 Result<ColumnPiece> TextColumn::from_before(const Equation& equation, bool below) const {
   TextStyle quiet = style(small_size(kVerdictSize), colors().quiet, 0);
   quiet.sans = true;
-  DisplayList words = set_line("from before:", quiet, fonts_);
+  DisplayList words = set_line(std::string(words::kFromBefore.in(language_)), quiet, fonts_);
   // Symbols without a colour of their own are as quiet as the rest.
   std::vector<MathSymbol> symbols = symbols_;
   for (MathSymbol& symbol : symbols)
@@ -660,8 +662,8 @@ Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
   TextStyle plain = style(em, colors().ink, width);
   plain.between = 0.28;
   if (ask.type == Ask::Type::derive) plain.clearance = kFormulaClearance;
-  Result<ColumnPiece> piece =
-      labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
+  Result<ColumnPiece> piece = labelled(std::string(words::kQuestionLabel.in(language_)), colors().question,
+                                       piece_of(set(text, plain), em, 0.7 * size_));
   if (!piece || least_ == 0 || profile_ == Profile::slides) return piece;
   QuestionRows rows{&ask, label_indent(), width_, {}};
   if (!picks_choice(ask.type)) rows.y.push_back(0);

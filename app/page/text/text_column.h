@@ -31,7 +31,8 @@ class TextColumn {
   /// `size` is the em of prose, `least` that of the smallest type. Symbols, numbers and fonts are kept by
   /// reference.
   TextColumn(double width, double size, Theme theme, Profile profile, const std::vector<MathSymbol>& symbols,
-             const PageNumbers& numbers, const Fonts& fonts, double least = 0)
+             const PageNumbers& numbers, const Fonts& fonts, double least = 0,
+             Language language = Language::en)
       : width_(width),
         size_(size),
         theme_(theme),
@@ -39,7 +40,8 @@ class TextColumn {
         symbols_(symbols),
         numbers_(numbers),
         fonts_(fonts),
-        least_(least) {}
+        least_(least),
+        language_(language) {}
 
   // The error of each says why the text cannot be set: the fonts lack a character of it.
 
@@ -114,6 +116,7 @@ class TextColumn {
   const PageNumbers& numbers_;
   const Fonts& fonts_;
   double least_;
+  Language language_;  ///< of what is said besides the lesson's own words
   int notes_before_ = 0;
 };
 

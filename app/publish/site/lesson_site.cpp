@@ -33,8 +33,10 @@ std::string digest_of(const std::vector<std::string>& texts) {
   return sha256_hex(all);
 }
 
-std::string page_of(const Lesson& lesson) { return lesson.id + ".html"; }
-std::string preview_name(const Lesson& lesson) { return lesson.id + ".png"; }
+std::string page_of(const Lesson& lesson) { return page_name(lesson.id, lesson.about.language) + ".html"; }
+std::string preview_name(const Lesson& lesson) {
+  return page_name(lesson.id, lesson.about.language) + ".png";
+}
 
 /// The first figure of a lesson, and the step it is of. Nothing where there is none.
 std::optional<PlannedPicture> first_figure(const Lesson& lesson, const ExportOptions& options) {
@@ -100,6 +102,9 @@ class SiteWriter {
       place.next = next->loaded.lesson.id;
       place.next_title = next->loaded.lesson.title;
     }
+    for (const SiteLesson& one : site_.lessons)
+      if (const Lesson& other = one.loaded.lesson; other.id == lesson(i).id && &other != &lesson(i))
+        place.languages.push_back(other.about.language);
     place.url = site_.url;
     if (first_figure(lesson(i), options_)) place.preview = preview_name(lesson(i));
     ReaderEdition of{.lesson = lesson(i), .look = site_.look, .place = std::move(place)};

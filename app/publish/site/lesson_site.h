@@ -24,8 +24,8 @@ struct SiteLesson {
 };
 
 struct Site {
-  std::vector<SiteLesson>
-      lessons;  ///< in their order (course_order); no two have one id, and none is "index" or "sandbox"
+  std::vector<SiteLesson> lessons;  ///< in their order (course_order), a translation behind its original; no
+                                    ///< two have one id and language, and none is "index" or "sandbox"
   ReaderFigures::Look look{};
   std::string url{};                  ///< of the folder on the web, with a slash at its end; empty: unknown
   std::optional<LiveProgram> live{};  ///< absent: figures are pictures, and nothing else

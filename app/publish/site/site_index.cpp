@@ -6,6 +6,7 @@
 #include "app/publish/html_text.h"
 #include "app/publish/site/site_assets.h"
 #include "app/publish/text_edition/reader_style.h"
+#include "base/words/edition_words.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,9 +24,9 @@ constexpr const char* kLead =
     "be read on any screen, by a screen reader, without network and without script.";
 
 /// `lang` of what is in another language than the page.
-std::string language_of(const Lesson& lesson, const std::string& of_page) {
-  const std::string& language = lesson.about.language;
-  return language == of_page ? "" : fmt::format(" lang=\"{}\"", html_escaped(language));
+std::string language_of(const Lesson& lesson, Language of_page) {
+  const Language language = lesson.about.language;
+  return language == of_page ? "" : fmt::format(" lang=\"{}\"", tag_of(language));
 }
 
 const Lesson* find(const std::vector<SiteIndexLesson>& lessons, const std::string& id) {
@@ -35,7 +36,8 @@ const Lesson* find(const std::vector<SiteIndexLesson>& lessons, const std::strin
 }
 
 std::string link_to(const Lesson& lesson) {
-  return fmt::format("<a href=\"{}.html\">{}</a>", html_escaped(lesson.id), html_escaped(lesson.title));
+  return fmt::format("<a href=\"{}.html\">{}</a>", html_escaped(page_name(lesson.id, lesson.about.language)),
+                     html_escaped(lesson.title));
 }
 
 /// A line of what one should know; it may be another lesson.
@@ -54,12 +56,12 @@ std::string lesson_html(const std::vector<SiteIndexLesson>& all, std::size_t i) 
     html += fmt::format("<p class=\"authors\">{}</p>\n",
                         html_escaped(fmt::format("{}", fmt::join(lesson.about.authors, ", "))));
   if (!lesson.about.outcomes.empty()) {
-    html += "<h3>What you will be able to do</h3>\n<ul>\n";
+    html += fmt::format("<h3>{}</h3>\n<ul>\n", words::kOutcomes.in(lesson.about.language));
     for (const std::string& line : lesson.about.outcomes) html += "<li>" + html_escaped(line) + "</li>\n";
     html += "</ul>\n";
   }
   if (!lesson.about.prerequisites.empty()) {
-    html += "<h3>What you should know</h3>\n<ul>\n";
+    html += fmt::format("<h3>{}</h3>\n<ul>\n", words::kPrerequisites.in(lesson.about.language));
     for (const std::string& line : lesson.about.prerequisites)
       html += "<li>" + prerequisite(all, line) + "</li>\n";
     html += "</ul>\n";
@@ -83,8 +85,9 @@ std::string lesson_html(const std::vector<SiteIndexLesson>& all, std::size_t i) 
 std::string entry_html(const Lesson& lesson, const ReaderEntry& entry) {
   return fmt::format("<li{} data-words=\"{} {}\"><a href=\"{}.html#{}\">{}</a></li>\n",
                      entry.kind == ReaderEntry::Kind::stage ? "" : " class=\"within\"",
-                     html_escaped(entry.words), html_escaped(entry.id), html_escaped(lesson.id),
-                     html_escaped(entry.id), entry.html);
+                     html_escaped(entry.words), html_escaped(entry.id),
+                     html_escaped(page_name(lesson.id, lesson.about.language)), html_escaped(entry.id),
+                     entry.html);
 }
 
 std::string entries_html(const std::vector<SiteIndexLesson>& lessons) {
@@ -139,7 +142,8 @@ std::string site_index_html(const std::vector<SiteIndexLesson>& lessons, const s
   std::string shown;
   for (std::size_t i = 0; i < lessons.size(); ++i) shown += lesson_html(lessons, i);
   const std::map<std::string, std::string> texts = {
-      {"language", html_escaped(lessons.empty() ? "en" : lessons.front().lesson.about.language)},
+      {"language",
+       std::string(tag_of(lessons.empty() ? Language::en : lessons.front().lesson.about.language))},
       // Nothing is fetched, and nothing runs but what is written here, whatever the lessons say.
       {"policy",
        fmt::format("default-src 'none'; img-src data:; style-src {}; script-src {}; base-uri 'none'; "

@@ -273,7 +273,7 @@ std::string LessonHtml::line(std::string_view words) const {
   for (const SourceSpan& found : formulas_of_line(words)) {
     add_words(words.substr(at, found.begin - 1 - at));
     const std::string_view tex = words.substr(found.begin, found.end - found.begin);
-    auto math = parse_math(tex, lesson_.macros);
+    auto math = parse_math(tex, lesson_.macros, lesson_.about.language);
     if (math) math->live.clear();  // only numbers that are shown as they are typed are left in such a line
     html += math ? formula(*math, tex) : html_escaped(tex);
     at = found.end + 1;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/publish/text_edition/question_html.h"
 
+#include "base/words/edition_words.h"
+#include "base/words/page_words.h"
 #include "lessons/claims/expressions/expression_tex.h"
 #include "lessons/derivation/derivation.h"
 #include "lessons/reader/questions/state_task.h"
@@ -25,20 +27,28 @@ class QuestionHtml {
         "autocomplete=\"off\">\n<p class=\"label\" id=\"{0}.label\">{3}</p>\n<div class=\"prompt\" "
         "id=\"{0}.prompt\">{4}</div>\n",
         id_, is_judged() ? name_of_type() : "open", data(),
-        ask_.type == Type::predict ? "Question: predict" : "Question", html_.blocks(ask_.prompt_text));
+        said(ask_.type == Type::predict ? words::kPredictLabel : words::kQuestionLabel),
+        html_.blocks(ask_.prompt_text));
     html += controls();
     if (is_judged())
-      html +=
-          "<p class=\"judge\" hidden=\"hidden\"><button type=\"submit\">Check</button> "
-          "<output></output></p>\n";
+      html += "<p class=\"judge\" hidden=\"hidden\"><button type=\"submit\">" + said(words::kCheck) +
+              "</button> <output></output></p>\n";
     for (std::size_t i = 0; i < ask_.hint_texts.size(); ++i)
-      html += details("hint", ask_.hint_texts.size() == 1 ? "Hint" : fmt::format("Hint {}", i + 1),
-                      html_.blocks(ask_.hint_texts[i]));
-    return html + details("answer", ask_.type == Type::derive ? "A derivation" : "Answer", answer() + shown) +
+      html +=
+          details("hint",
+                  ask_.hint_texts.size() == 1 ? said(words::kHint)
+                                              : words::kHintNumber.with(language(), {std::to_string(i + 1)}),
+                  html_.blocks(ask_.hint_texts[i]));
+    return html +
+           details("answer", said(ask_.type == Type::derive ? words::kADerivation : words::kAnswer),
+                   answer() + shown) +
            "</form>\n";
   }
 
  private:
+  Language language() const { return html_.lesson().about.language; }
+  std::string said(const Phrase& phrase) const { return std::string(phrase.in(language())); }
+
   bool has_number() const { return ask_.type == Type::number && ask_.number && ask_.number->value; }
   bool is_judged() const { return has_choices(ask_.type) || has_number(); }
 
@@ -68,10 +78,13 @@ class QuestionHtml {
     if (has_number()) {
       const std::string& unit = ask_.number->unit;
       return fmt::format(
-          "<p class=\"typed\"><label for=\"{0}.typed\">Your answer{1}</label> <input id=\"{0}.typed\" "
-          "type=\"text\" inputmode=\"decimal\" size=\"12\"/> <span class=\"quiet\">to within "
-          "{2}</span></p>\n",
-          id_, unit.empty() ? "" : ", in " + html_escaped(unit), html_escaped(ask_.number->within_text));
+          "<p class=\"typed\"><label for=\"{0}.typed\">{1}</label> <input id=\"{0}.typed\" "
+          "type=\"text\" inputmode=\"decimal\" size=\"12\"/> <span class=\"quiet\">{2}</span></p>\n",
+          id_,
+          unit.empty() ? said(words::kYourAnswer)
+                       : words::kYourAnswerIn.with(language(), {html_escaped(unit)}),
+          words::kToWithinText.with(language(),
+                                    {html_escaped(with_decimals(ask_.number->within_text, language()))}));
     }
     if (!has_choices(ask_.type)) return {};
     std::string html = fmt::format("<div class=\"choices\" role=\"{}\" aria-labelledby=\"{}.prompt\">\n",
@@ -90,7 +103,7 @@ class QuestionHtml {
 
   /// Which place a choice has in the order.
   std::string place(std::size_t i) const {
-    std::string options = "<option value=\"\">place</option>";
+    std::string options = "<option value=\"\">" + said(words::kPlace) + "</option>";
     for (std::size_t k = 1; k <= ask_.choice_texts.size(); ++k)
       options += fmt::format("<option value=\"{0}\">{0}</option>", k);
     return fmt::format(
@@ -103,9 +116,9 @@ class QuestionHtml {
     std::string html = right_one();
     for (std::size_t i = 0; i < ask_.replies.size(); ++i)
       if (!ask_.replies[i].empty())
-        html +=
-            fmt::format("<div class=\"reply\" data-choice=\"{}\"><p class=\"letter\">To {}:</p>{}</div>\n",
-                        i + 1, letter_of_choice(i), html_.blocks(ask_.replies[i]));
+        html += fmt::format("<div class=\"reply\" data-choice=\"{}\"><p class=\"letter\">{}</p>{}</div>\n",
+                            i + 1, words::kReplyTo.with(language(), {std::string(1, letter_of_choice(i))}),
+                            html_.blocks(ask_.replies[i]));
     if (!ask_.because.empty()) html += "<div class=\"because\">" + html_.blocks(ask_.because) + "</div>\n";
     return html;
   }
@@ -113,19 +126,21 @@ class QuestionHtml {
   std::string right_one() const {
     if (ask_.derivation) return worked();
     if (ask_.expression)
-      return fmt::format(
-          "<p>{}, typed <code>{}</code></p>\n",
-          html_.line('$' + tex_of(*ask_.expression, &html_.lesson().notation.vocabulary) + '$'),
-          html_escaped(ask_.expression->text));
+      return "<p>" +
+             words::kTyped.with(
+                 language(),
+                 {html_.line('$' + tex_of(*ask_.expression, &html_.lesson().notation.vocabulary) + '$'),
+                  "<code>" + html_escaped(ask_.expression->text) + "</code>"}) +
+             "</p>\n";
     if (ask_.task) return state();
     if (ask_.number) {
-      const std::string words = words_of(*ask_.number);
-      return words.empty() ? "" : "<p>" + html_escaped(words) + "</p>\n";
+      const std::string number = with_decimals(words_of(*ask_.number), language());
+      return number.empty() ? "" : "<p>" + html_escaped(number) + "</p>\n";
     }
     std::string html = "<p class=\"solution\">";
     for (std::size_t i = 0; i < ask_.answers.size(); ++i) {
       const auto choice = static_cast<std::size_t>(ask_.answers[i] - 1);
-      html += i > 0 ? " then " : "";
+      html += i > 0 ? std::string(words::kThen.in(language())) : "";
       html += choice_text(choice);
     }
     return html + "</p>\n";
@@ -141,16 +156,19 @@ class QuestionHtml {
   }
 
   std::string formula(const std::string& tex) const {
-    const auto math = parse_math(tex, html_.lesson().macros);
+    const auto math = parse_math(tex, html_.lesson().macros, language());
     return math ? "<div class=\"formula\">" + html_.formula(*math, tex, true) + "</div>" : html_escaped(tex);
   }
 
   std::string state() const {
     std::string html = "<ul>\n";
     for (const StateGoal& goal : ask_.task->goals)
-      html += fmt::format("<li>{}: {}</li>\n", html_.line(goal.words()), html_escaped(range_of(goal)));
-    return html + "</ul>\n<p>For example <code>" + html_escaped(text_of(ask_.task->solution)) +
-           "</code></p>\n";
+      html += fmt::format("<li>{}: {}</li>\n", html_.line(goal.words()),
+                          html_escaped(range_of(goal, language())));
+    return html + "</ul>\n<p>" +
+           words::kForExampleTyped.with(language(),
+                                        {"<code>" + html_escaped(text_of(ask_.task->solution)) + "</code>"}) +
+           "</p>\n";
   }
 
   const LessonHtml& html_;

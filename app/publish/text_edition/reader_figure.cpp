@@ -5,6 +5,7 @@
 #include "app/page/live_numbers.h"
 #include "app/page/page.h"
 #include "app/publish/html_text.h"
+#include "base/words/speech_words.h"
 #include "render/gl/passes/background.h"
 #include "render/image/webp.h"
 
@@ -42,7 +43,7 @@ Outcome<ReaderPicture> ReaderFigures::moment(const Stage& stage, int step, doubl
   ReaderPicture made{request.size, "data:image/webp;base64," + base64(*webp), {}, t_s};
   made.alt = alt_text(model, speech_.words_of_scenes(of, *of.scene), t_s);
   if (const std::string plots = speech_.words_of_plots(*of.scene); !plots.empty())
-    made.alt += " Plotted: " + plots;
+    made.alt += ' ' + speech_.opening(words::kPlotted) + plots;
   return made;
 }
 

@@ -13,6 +13,8 @@
 #include "base/ascii.h"
 #include "base/files/left_behind.h"
 #include "base/interrupt.h"
+#include "base/words/edition_words.h"
+#include "base/words/speech_words.h"
 #include "lessons/reader/markdown/footnotes.h"
 
 #include <fmt/format.h>
@@ -111,14 +113,14 @@ class ReaderText {
     if (!about.authors.empty())
       html += fmt::format("<p class=\"authors\">{}</p>\n",
                           html_escaped(fmt::format("{}", fmt::join(about.authors, ", "))));
-    const auto list = [&](const char* heading, const std::vector<std::string>& lines) {
+    const auto list = [&](const std::string& heading, const std::vector<std::string>& lines) {
       if (lines.empty()) return;
       html += fmt::format("<h2>{}</h2>\n<ul>\n", heading);
       for (const std::string& line : lines) html += "<li>" + html_escaped(line) + "</li>\n";
       html += "</ul>\n";
     };
-    list("What you will be able to do", about.outcomes);
-    list("What you should know", about.prerequisites);
+    list(said(words::kOutcomes), about.outcomes);
+    list(said(words::kPrerequisites), about.prerequisites);
     if (edition_.live) html += kLiveNoScript;
     return html;
   }
@@ -157,8 +159,8 @@ class ReaderText {
                             html_escaped(reference.text));
     return html.empty() ? html
                         : "<section class=\"references\" aria-labelledby=\"page.references\">\n<h2 "
-                          "id=\"page.references\">References</h2>\n<ul>\n" +
-                              html + "</ul>\n</section>\n";
+                          "id=\"page.references\">" +
+                              said(words::kReferences) + "</h2>\n<ul>\n" + html + "</ul>\n</section>\n";
   }
 
   /// What can be looked for.
@@ -187,6 +189,12 @@ class ReaderText {
   }
 
  private:
+  Language language() const { return edition_.lesson.about.language; }
+  std::string said(const Phrase& phrase) const { return html_escaped(phrase.in(language())); }
+  std::string time(double t_s, int digits) const {
+    return html_.line(with_decimals(fmt::format("$t$ = {:.{}g} s", t_s, digits), language()));
+  }
+
   Outcome<std::string> text_of(const Stage& stage, int step) {
     const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];
     std::string html;
@@ -210,8 +218,9 @@ class ReaderText {
     std::string html = fmt::format("<div class=\"equation\" id=\"{}\"><div class=\"formula\">{}</div>", id,
                                    html_.formula(equation.math, equation.tex, true));
     if (!equation.tag.empty())
-      html += fmt::format(" <a class=\"tag\" href=\"#{}\" aria-label=\"Equation {}\">({})</a>", id,
-                          html_escaped(equation.tag), html_escaped(equation.tag));
+      html += fmt::format(" <a class=\"tag\" href=\"#{}\" aria-label=\"{}\">({})</a>", id,
+                          words::kEquationLabel.with(language(), {html_escaped(equation.tag)}),
+                          html_escaped(equation.tag));
     html += "</div>\n";
     for (const Claim* claim : blocks_of<Claim>(step))
       if (claim->equation == equation.id) html += verdict_html(step, *claim, "");
@@ -227,12 +236,13 @@ class ReaderText {
     return verdict_html(
         step, claim,
         fmt::format("<a href=\"#{}\">{}</a>: ", html_escaped(equation_id(stage, *of)),
-                    of->tag.empty() ? "The equation above" : "Equation (" + html_escaped(of->tag) + ')'));
+                    of->tag.empty() ? said(words::kEquationAbove)
+                                    : words::kEquationInBrackets.with(language(), {html_escaped(of->tag)})));
   }
 
   std::string verdict_html(const Step& step, const Claim& claim, const std::string& of) {
     const SceneModel* model = step.scene ? &figures_.model_of(step) : nullptr;
-    const VerdictRow row = verdict_row(claim, step.scene.get(), model);
+    const VerdictRow row = verdict_row(claim, step.scene.get(), model, language());
     const std::string_view mark = row.certainty == Certainty::proved    ? "✓ "
                                   : row.certainty == Certainty::refuted ? "✗ "
                                                                         : "";
@@ -261,11 +271,11 @@ class ReaderText {
     const auto live = is_computable(*model, t_s) ? live_state(*model, t_s) : std::nullopt;
     if (!live) return {};
     std::string rows;
-    for (const std::string& row : live_rows(claim, *live, step.scene->views.front()))
+    for (const std::string& row : live_rows(claim, *live, step.scene->views.front(), language()))
       if (!row.empty()) rows += (rows.empty() ? "" : "; ") + html_.line(row);
-    return rows.empty() ? rows
-                        : fmt::format("<p class=\"live\">In the figure, at {}: {}</p>\n",
-                                      html_.line(fmt::format("$t$ = {:.4g} s", t_s)), rows);
+    return rows.empty()
+               ? rows
+               : "<p class=\"live\">" + words::kInTheFigure.with(language(), {time(t_s, 4), rows}) + "</p>\n";
   }
 
   std::string callout_html(const Callout& callout) const {
@@ -319,8 +329,8 @@ class ReaderText {
     if (!moments) return passed_on(moments);
     std::string html = "<div class=\"moments\">\n";
     for (const ReaderPicture& picture : *moments)
-      html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", img(picture),
-                          html_.line(fmt::format("$t$ = {:.3g} s", picture.t_s)));
+      html +=
+          fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", img(picture), time(picture.t_s, 3));
     return html + "</div>\n";
   }
 
@@ -337,19 +347,33 @@ std::string head_of(const ReaderEdition& edition) {
   if (!edition.place) return {};
   const ReaderPlace& place = *edition.place;
   const std::string outcomes = fmt::format("{}", fmt::join(edition.lesson.about.outcomes, "; "));
-  return social_head(place.url, edition.lesson.id + ".html", edition.lesson.title, outcomes, place.preview);
+  const Lesson& lesson = edition.lesson;
+  const std::string page = page_name(lesson.id, lesson.about.language) + ".html";
+  std::string head = social_head(place.url, page, lesson.title, outcomes, place.preview);
+  for (const Language language : place.languages)
+    head += fmt::format("<link rel=\"alternate\" hreflang=\"{}\" href=\"{}{}.html\"/>\n", tag_of(language),
+                        html_escaped(place.url), html_escaped(page_name(lesson.id, language)));
+  return head;
 }
 
 std::string link_to_index(const ReaderEdition& edition) {
   if (!edition.place) return {};
-  return fmt::format("<p class=\"site\"><a href=\"{}\">All lessons</a></p>\n", kSiteIndex);
+  std::string html = fmt::format("<p class=\"site\"><a href=\"{}\">{}</a>", kSiteIndex,
+                                 words::kAllLessons.in(edition.lesson.about.language));
+  for (const Language language : edition.place->languages)
+    html += fmt::format(" · <a href=\"{}.html\" lang=\"{}\" hreflang=\"{}\">{}</a>",
+                        html_escaped(page_name(edition.lesson.id, language)), tag_of(language),
+                        tag_of(language), words::kInAnotherLanguage.in(language));
+  return html + "</p>\n";
 }
 
 std::string link_to_next(const ReaderEdition& edition) {
   if (!edition.place || edition.place->next.empty()) return {};
   const ReaderPlace& place = *edition.place;
-  return fmt::format("<p class=\"site next\">The next lesson: <a href=\"{}.html\">{}</a></p>\n",
-                     html_escaped(place.next), html_escaped(place.next_title));
+  const std::string link =
+      fmt::format("<a href=\"{}.html\">{}</a>", html_escaped(place.next), html_escaped(place.next_title));
+  return "<p class=\"site next\">" + words::kNextLesson.with(edition.lesson.about.language, {link}) +
+         "</p>\n";
 }
 
 /// The error, where it is no full disk.
@@ -357,6 +381,20 @@ struct Stop {
   bool stopped = false;
   std::optional<Error> error{};
 };
+
+/// What the page's script says, as JSON.
+std::string words_of_script(Language language) {
+  const std::pair<const char*, Phrase> kWords[] = {
+      {"pickOne", words::kPickOne},     {"right", words::kRight},
+      {"notRight", words::kNotRight},   {"eachAPlace", words::kGiveEachAPlace},
+      {"aNumber", words::kTypeANumber}, {"aNumberIn", words::kTypeANumberIn},
+      {"copyTex", words::kCopyTex},     {"copyTexOf", words::kCopyTexOf},
+      {"copied", words::kCopied},       {"wider", words::kWiderThanPage},
+  };
+  std::string json = fmt::format("{{\"decimal\":\"{}\"", decimal_mark(language));
+  for (const auto& [name, phrase] : kWords) json += fmt::format(",\"{}\":\"{}\"", name, phrase.in(language));
+  return json + '}';
+}
 
 Status append_stages(ReaderText& text, const AppendBytes& append, const ReaderProgress& go_on, Stop& stop) {
   Status status = success();
@@ -393,7 +431,10 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
       "default-src 'none'; img-src data:; style-src {}; script-src {}{}; base-uri 'none'; form-action 'none'",
       policy_hash(style), policy_hash(script), live != nullptr ? ' ' + live_policy(*live) : "");
   const std::map<std::string, std::string> texts = {
-      {"language", html_escaped(lesson.about.language)},
+      {"language", std::string(tag_of(lesson.about.language))},
+      {"to-the-text", std::string(words::kToTheText.in(lesson.about.language))},
+      {"contents", std::string(words::kContents.in(lesson.about.language))},
+      {"words", html_escaped(words_of_script(lesson.about.language))},
       {"policy", policy},
       {"program", html_escaped(program_name_and_version())},
       {"title", html_escaped(lesson.title)},
@@ -418,6 +459,10 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
 }
 
 }  // namespace
+
+std::string page_name(const std::string& lesson_id, Language language) {
+  return language == Language::en ? lesson_id : lesson_id + '.' + std::string(tag_of(language));
+}
 
 std::vector<ReaderEntry> entries_of(const ReaderEdition& edition, Renderer& renderer, const Effort& effort) {
   return ReaderText(edition, renderer, effort).entries();

@@ -21,11 +21,15 @@ namespace polhode {
 
 /// Where a page lies among others of a site (app/publish/site/): ID.html beside each other, and an index.
 struct ReaderPlace {
+  /// The same lesson in other languages.
+  std::vector<Language> languages{};
   std::set<std::string> lessons{};   ///< ids of those that links of the lesson may lead to
   std::string next{}, next_title{};  ///< the lesson behind this one; empty: none
   std::string url{};                 ///< of the folder on the web, with a slash at its end; may be empty
   std::string preview{};             ///< name of a picture of 1200 x 630 px; empty: none
 };
+/// The name of a lesson's page, without its ending: "euler-equations", "euler-equations.de".
+std::string page_name(const std::string& lesson_id, Language language);
 inline constexpr const char* kSiteIndex = "index.html";
 inline constexpr const char* kSiteSandbox = "sandbox.html";
 

@@ -13,7 +13,7 @@ namespace {
 /// As alternative texts call it, without the article.
 std::string words_of(Overlay overlay) {
   if (overlay == Overlay::labels) return "names at arrows and axes";
-  std::string words(facts_of(overlay).words);
+  std::string words(facts_of(overlay).words.in(Language::en));
   for (const std::string_view article : {"the ", "a ", "an "})
     if (words.starts_with(article)) words.erase(0, article.size());
   return words;

@@ -158,7 +158,8 @@ RichText words_of_goal(const Lesson& lesson, const StateGoal& goal) {
   RichText words = goal.say.empty()
                        ? formula_text(tex_of(goal.number.expression, &lesson.notation.vocabulary))
                        : line_text(goal.say);
-  words = in_a_row(std::move(words), words_text((goal.is ? " = " : " ") + range_of(goal)));
+  words =
+      in_a_row(std::move(words), words_text((goal.is ? " = " : " ") + range_of(goal, lesson.about.language)));
   return opened_by("Goal: ", std::move(words));
 }
 

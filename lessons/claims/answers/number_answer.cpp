@@ -340,8 +340,24 @@ std::string words_of(const NumberAnswer& answer) {
   return digits(*answer.value, shown) + (answer.unit.empty() ? "" : ' ' + answer.unit);
 }
 
+namespace {
+
+/// "1.5" for "1,5" where numbers have commas, in as many bytes, so that columns stay. A comma of 1,5,3 is
+/// none of a number.
+std::string with_point(std::string_view text, Language language) {
+  std::string typed(text);
+  const std::size_t comma = typed.find(',');
+  const auto is_digit_at = [&](std::size_t i) { return i < typed.size() && is_digit(typed[i]); };
+  if (decimal_mark(language) == ',' && comma != typed.npos && is_digit_at(comma + 1) &&
+      typed.find('.') == typed.npos && typed.find(',', comma + 1) == typed.npos)
+    typed[comma] = '.';
+  return typed;
+}
+
+}  // namespace
+
 AnswerJudgement judge_number(const NumberAnswer& answer, std::string_view text) {
-  const Reading reading = read_typed(text);
+  const Reading reading = read_typed(with_point(text, answer.language));
   if (!reading.number) return reading.why;
   if (!answer.value)
     return judged(AnswerJudgement::Mark::unreadable, "this number has no value on the motion shown");

@@ -2,6 +2,7 @@
 // Answers that are numbers with a unit, and what is to be said of one that is typed.
 #pragma once
 
+#include "base/words/language.h"
 #include "lessons/claims/expressions/expression.h"
 
 #include <optional>
@@ -20,7 +21,8 @@ struct NumberAnswer {
   double unit_si = 1;                    ///< of the unit
   double within = 0.02;                  ///< of the value; absolute ones in the unit
   bool is_relative = true;
-  std::string within_text = "2 %";  ///< as a question says it
+  std::string within_text = "2 %";   ///< as a question says it
+  Language language = Language::en;  ///< whose decimal mark is read besides the point
 };
 
 /// More than so much of the value decides nothing: twice and half of it would nearly be right.

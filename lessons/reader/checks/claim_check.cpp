@@ -70,7 +70,7 @@ class ClaimCheck {
   std::vector<Diagnostic> run() {
     SourcePlace place;
     try {
-      check_spoken_names(lesson_, source_, prover_, report_, effort_);
+      if (reads_words_) check_spoken_names(lesson_, source_, prover_, report_, effort_);
       for (const Stage& stage : lesson_.stages) {
         equations_ = equations_of(stage);
         statement_check_.begin_stage(stage);
@@ -117,7 +117,7 @@ class ClaimCheck {
 
   void check(const Equation& equation, const Step& step) {
     check_braces(equation, lesson_, source_, prover_, report_, effort_);
-    if (!is_proved_as_printed(equation, step))
+    if (reads_words_ && !is_proved_as_printed(equation, step))
       statement_check_.check_display(equation, text_before(equation, step), [&] { return motions_of(step); });
     if (equation.math.live.empty() || !step.scene) return;
     const auto at = std::find(equations_.begin(), equations_.end(), &equation);
@@ -165,6 +165,7 @@ class ClaimCheck {
   /// What stands around the numbers of a text.
   enum class TextOf { lesson, prompt, choice };
   void check_text(const RichText& text, const Step& step, TextOf of = TextOf::lesson) {
+    if (!reads_words_) return check_computed(text, step);
     const auto motions = [&] { return motions_of(step); };
     if (of == TextOf::choice)
       statement_check_.check_choice(text, motions);
@@ -193,8 +194,9 @@ class ClaimCheck {
       if (ask.type == Question::Type::order || ask.answers == std::vector{static_cast<int>(i) + 1})
         check_text(ask.choice_texts[i], step, TextOf::choice);
     check_text(ask.because, step);
-    check_prompt(
-        ask, lesson_, prover_, [&] { return motions_of(step); }, report_, effort_);
+    if (reads_words_)
+      check_prompt(
+          ask, lesson_, prover_, [&] { return motions_of(step); }, report_, effort_);
     if (ask.derivation) check_derivation(ask, *ask.derivation, prover_, report_, effort_);
     if (ask.task) check_state_task(ask, report_, effort_);
     const auto& answer = ask.expression;
@@ -265,12 +267,13 @@ class ClaimCheck {
       const bool is_shared = shown.size() > 1 && std::all_of(shown.begin(), shown.end(), is_same);
       const StatementCheck::Motions motions =
           is_shared ? StatementCheck::Motions([&] { return motions_of(step); }) : motion;
-      if (i == 0 || !is_shared) {  // one that stands once below all is so of each, or says of which
+      if (reads_words_ &&
+          (i == 0 || !is_shared)) {  // one that stands once below all is so of each, or says of which
         const SaidOfMotions of = is_shared ? SaidOfMotions::each : SaidOfMotions::one;
         statement_check_.check_text(*caption, motions, when, of);
         statement_check_.check_typed_numbers(*caption, motions, when, of);
       }
-      if (is_always) check_values_always(*caption, motion);
+      if (reads_words_ && is_always) check_values_always(*caption, motion);
       if (!number_check_.has_typed_numbers(*caption)) continue;
       number_check_.check_typed(*caption, motion().front().model, still_time_s(*step.scene), step.place);
     }
@@ -481,6 +484,9 @@ class ClaimCheck {
   static constexpr int kDigitsOfHint = 6;
 
   const Lesson& lesson_;
+  /// What sentences say is read in English alone; of another language it is known by the lesson's original,
+  /// which has the same formulas and numbers (translation_check.h).
+  const bool reads_words_ = lesson_.about.language == Language::en;
   SourceText source_;
   Report report_;
   const Effort& effort_;

@@ -95,7 +95,7 @@ class QuestionCheck {
   }
 
   void check_number(const Ask& ask, const NumberAnswer& number, const Step& step) {
-    check_unit_of_prompt(ask, number);
+    if (lesson_.about.language == Language::en) check_unit_of_prompt(ask, number);
     const std::string what = "the answer of question " + in_quotes(ask.id);
     if (number.expression && !step.scene)
       return report_.error(ask.place, what + " needs a scene, on whose motion it is computed",

@@ -32,33 +32,6 @@ void read_lines(const TomlEntry& entry, std::vector<std::string>& into, Report& 
     if (check_line(line.text, entry.key, line.place, report)) into.push_back(line.text);
 }
 
-/// Well-formed by the syntax of RFC 5646 as far as lessons need it: subtags of letters and digits, the first
-/// of 2 to 8 letters.
-bool is_language_tag(std::string_view tag) {
-  for (bool first = true;; first = false) {
-    const std::size_t end = std::min(tag.find('-'), tag.size());
-    const std::string_view subtag = tag.substr(0, end);
-    const auto fits = [&](char c) {
-      const auto byte = static_cast<unsigned char>(c);
-      return byte < 0x80U && (first ? std::isalpha(byte) : std::isalnum(byte)) != 0;
-    };
-    if (subtag.size() > 8 || subtag.size() < (first ? 2U : 1U)) return false;
-    if (!std::all_of(subtag.begin(), subtag.end(), fits)) return false;
-    if (end == tag.size()) return true;
-    tag.remove_prefix(end + 1);
-  }
-}
-
-void read_language(const TomlEntry& entry, About& about, Report& report) {
-  const auto tag = read_text(entry, report);
-  if (!tag) return;
-  if (is_language_tag(*tag))
-    about.language = *tag;
-  else
-    report.error(entry.value.place, "unknown language " + in_quotes(*tag),
-                 "a tag of BCP 47: \"en\", \"de\", \"pt-BR\"");
-}
-
 void read_next(const TomlEntry& entry, AboutKeys& keys, Report& report) {
   const auto id = read_text(entry, report);
   if (!id) return;
@@ -130,11 +103,23 @@ void read_references(const TomlEntry& entry, AboutKeys& keys, Report& report) {
 
 }  // namespace
 
+void read_language(const TomlEntry& entry, About& about, Report& report) {
+  const auto tag = read_text(entry, report);
+  if (!tag) return;
+  if (const auto language = language_from(*tag)) {
+    about.language = *language;
+    return;
+  }
+  std::string known;
+  for (const Language language : kLanguages)
+    known += (known.empty() ? "" : " or ") + in_quotes(std::string(tag_of(language)));
+  report.error(entry.value.place, "unknown language " + in_quotes(*tag), "a lesson is in " + known);
+}
+
 std::vector<KeyHandler> about_key_handlers(AboutKeys& keys, Report& report) {
   About& about = keys.about;
   return {{"author", [&](const TomlEntry& e) { read_lines(e, about.authors, report); }},
           {"licence", [&](const TomlEntry& e) { read_line(e, about.licence, report); }},
-          {"language", [&](const TomlEntry& e) { read_language(e, about, report); }},
           {"outcomes", [&](const TomlEntry& e) { read_lines(e, about.outcomes, report); }},
           {"prerequisites", [&](const TomlEntry& e) { read_lines(e, about.prerequisites, report); }},
           {"next", [&](const TomlEntry& e) { read_next(e, keys, report); }},

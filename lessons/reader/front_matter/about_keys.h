@@ -20,7 +20,10 @@ struct AboutKeys {
   std::vector<PlacedText> reference_places;  ///< where each key of `references` stands
 };
 
-/// A handler for each of the keys author, licence, language, outcomes, prerequisites, next, labels,
+/// The key `language`, which all others are read by.
+void read_language(const TomlEntry& entry, About& about, Report& report);
+
+/// A handler for each of the keys author, licence, outcomes, prerequisites, next, labels,
 /// references. Both arguments outlive them.
 std::vector<KeyHandler> about_key_handlers(AboutKeys& keys, Report& report);
 

@@ -566,7 +566,13 @@ void read_macros(const TomlEntry& entry, TextReader& texts) {
 
 void read_front_table(const TomlTable& table, Meanings meanings, FrontMatter& front, TextReader& texts) {
   Report& report = texts.report();
-  // Formulas use macros, so these come first; the scene names bodies, so it comes last.
+  // Formulas are in the lesson's language and use macros, so these come first; the scene names bodies, so it
+  // comes last.
+  if (const TomlEntry* language = table.find("language")) {
+    read_language(*language, front.about.about, report);
+    texts.write_in(front.about.about.language);
+    front.scene.scene.language = front.about.about.language;
+  }
   if (const TomlEntry* macros = table.find("macros")) read_macros(*macros, texts);
   if (const TomlEntry* axes = table.find("axes")) read_axes(*axes, front, report);
   read_all_symbols(table, meanings, front, texts);
@@ -576,6 +582,7 @@ void read_front_table(const TomlTable& table, Meanings meanings, FrontMatter& fr
                                       {"id", [&](const TomlEntry& e) { read_lesson_id(e, front, report); }},
                                       {"title", [&](const TomlEntry& e) { read_title(e, front, report); }},
                                       {"body", [&](const TomlEntry& e) { read_bodies(e, front, report); }},
+                                      {"language", later},
                                       {"axes", later},
                                       {"macros", later},
                                       {"constants", later},

@@ -45,7 +45,7 @@ std::optional<Math> TextReader::parse(const LocatedText& text, std::size_t begin
   const std::pair<std::size_t, std::string> key{macros.size(), text.text().substr(begin, end - begin)};
   if (const auto known = known_formulas_.find(key); known != known_formulas_.end())
     return has_room_for(known->second.made) ? std::optional(known->second) : std::nullopt;
-  auto math = parse_math(key.second, macros);
+  auto math = parse_math(key.second, macros, written_in_);
   if (math) {
     const bool has_room = has_room_for(math->made);
     if (math->live.empty()) known_formulas_.emplace(key, *math);
@@ -111,7 +111,7 @@ std::optional<ComputedNumber> TextReader::computed_number(const LiveNumber& writ
 
 std::optional<Math> TextReader::formula_of(ComputedNumber number) {
   if (!has_room_for_number(number.place)) return std::nullopt;
-  auto math = parse_math("\\live{0}").value();
+  auto math = parse_math("\\live{0}", {}, written_in_).value();
   LiveNumber& shown = math.live.front();
   number.written.whole = shown.whole;
   number.written.id = static_cast<int>(numbers_.size());

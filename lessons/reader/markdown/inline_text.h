@@ -47,10 +47,14 @@ class TextReader {
   /// What can be cited: true once it is.
   std::map<std::string, bool>& citable() { return citable_; }
 
+  /// What the lesson is written in: that of all formulas read after it.
+  void write_in(Language language) { written_in_ = language; }
+  Language written_in() const { return written_in_; }
+
   /// From now on formulas may show computed numbers, whose expressions are in these words; `dimensions` are
   /// those of constants, by their numbers. Before, and in lines, \live and \value are errors.
   void speak(const Vocabulary& vocabulary, const std::map<int, Dimension>& dimensions) {
-    language_.emplace(Language{vocabulary, dimensions});
+    language_.emplace(Speech{vocabulary, dimensions});
     add_motion_words(language_->vocabulary, language_->dimensions);
   }
   /// A number as it is written, with the places of its expression and its unit. Nothing, and a report, where
@@ -102,11 +106,12 @@ class TextReader {
   std::set<std::tuple<std::string, std::size_t, std::string>> said_of_macros_;
   FootnoteMarks notes_;
   std::map<std::string, bool> citable_;
-  struct Language {
+  Language written_in_ = Language::en;
+  struct Speech {
     Vocabulary vocabulary;
     std::map<int, Dimension> dimensions;
   };
-  std::optional<Language> language_;
+  std::optional<Speech> language_;
   std::vector<ComputedNumber> numbers_;
   /// Formulas of the lesson that were read, by their TeX and how many macros there were: \vec\omega stands
   /// everywhere.

@@ -2,6 +2,7 @@
 #include "lessons/reader/questions/ask_block.h"
 
 #include "base/spelling.h"
+#include "base/words/page_words.h"
 #include "lessons/claims/expressions/expression_tex.h"
 #include "lessons/claims/expressions/expression_variants.h"
 #include "lessons/derivation/derivation.h"
@@ -216,7 +217,7 @@ class AskReader {
     auto task = read_state_task(table_, ask_.place, texts_);
     ok_ = ok_ && task;
     if (!task) return;
-    say_what_is_to_be_reached(*task, front_.notation.vocabulary, ask_.prompt_text);
+    say_what_is_to_be_reached(*task, front_.notation.vocabulary, texts_.written_in(), ask_.prompt_text);
     ask_.task = std::make_shared<const StateTask>(std::move(*task));
   }
 
@@ -226,7 +227,8 @@ class AskReader {
       TextBlock block{.indent = 1, .marker = word, .spans = {}};
       TextSpan& span = block.spans.emplace_back();
       span.kind = TextSpan::Kind::math;
-      if (auto math = parse_math("\\displaystyle " + line.tex, texts_.macros())) span.math = std::move(*math);
+      if (auto math = parse_math("\\displaystyle " + line.tex, texts_.macros(), texts_.written_in()))
+        span.math = std::move(*math);
       span.text = line.tex;
       ask_.prompt_text.push_back(std::move(block));
     };
@@ -452,11 +454,12 @@ class AskReader {
     const auto add = [&](TextSpan::Kind kind, std::string text) {
       TextSpan& span = block.spans.emplace_back();
       span.kind = kind;
-      if (kind == TextSpan::Kind::math) span.math = parse_math(text).value();
+      if (kind == TextSpan::Kind::math) span.math = parse_math(text, {}, texts_.written_in()).value();
       span.text = std::move(text);
     };
     for (const std::string& condition : printed_conditions(ask_.given)) {
-      add(TextSpan::Kind::text, block.spans.empty() ? "Given: " : ", ");
+      add(TextSpan::Kind::text,
+          block.spans.empty() ? std::string(words::kGivenOpening.in(texts_.written_in())) : ", ");
       add(TextSpan::Kind::math, condition);
     }
     add(TextSpan::Kind::text, ".");

@@ -17,7 +17,9 @@ bool is_degrees(const std::string& unit) { return unit == "deg" || unit == "°";
 class NumberReader {
  public:
   NumberReader(const TomlTable& keys, TextReader& texts)
-      : keys_(keys), texts_(texts), report_(texts.report()) {}
+      : keys_(keys), texts_(texts), report_(texts.report()) {
+    answer_.language = texts.written_in();
+  }
 
   std::optional<NumberAnswer> read() {
     SourcePlace unit_place;

@@ -2,6 +2,7 @@
 #include "lessons/reader/questions/state_keys.h"
 
 #include "base/spelling.h"
+#include "base/words/page_words.h"
 #include "lessons/claims/expressions/expression_tex.h"
 #include "lessons/reader/scene/quantity_key.h"
 #include "lessons/reader/scene/varied_scene.h"
@@ -159,7 +160,7 @@ class StateTaskReader {
   bool ok_ = true;
 };
 
-TextSpan words(std::string text) {
+TextSpan words_span(std::string text) {
   TextSpan span;
   span.text = std::move(text);
   return span;
@@ -203,30 +204,33 @@ std::optional<StateTask> read_state_task(const TomlTable& table, SourcePlace pla
   return StateTaskReader(texts).read(table, place);
 }
 
-void say_what_is_to_be_reached(const StateTask& task, const Vocabulary& vocabulary, RichText& prompt) {
+void say_what_is_to_be_reached(const StateTask& task, const Vocabulary& vocabulary, Language language,
+                               RichText& prompt) {
   TextBlock goals;
   for (const StateGoal& goal : task.goals) {
-    goals.spans.push_back(words(goals.spans.empty() ? "Goal: " : "; "));
+    goals.spans.push_back(words_span(goals.spans.empty() ? std::string(words::kGoal.in(language)) : "; "));
     if (goal.say.empty())
       goals.spans.push_back(formula(tex_of(goal.number.expression, &vocabulary)));
     else
-      goals.spans.push_back(words(goal.say));
-    goals.spans.push_back(words((goal.is ? " = " : " ") + range_of(goal)));
+      goals.spans.push_back(words_span(goal.say));
+    goals.spans.push_back(words_span((goal.is ? " = " : " ") + range_of(goal, language)));
   }
-  if (!task.change.contains(Steered::t)) goals.spans.push_back(words(", as the motion begins"));
-  goals.spans.push_back(words("."));
+  if (!task.change.contains(Steered::t))
+    goals.spans.push_back(words_span(std::string(words::kAsTheMotionBegins.in(language))));
+  goals.spans.push_back(words_span("."));
   prompt.push_back(std::move(goals));
   TextBlock change;
   for (std::size_t i = 0; i < kSteered.size(); ++i) {
     const auto part = static_cast<Steered>(i);
     if (!task.change.contains(part)) continue;
-    change.spans.push_back(words(change.spans.empty() ? "You may change " : ", "));
+    change.spans.push_back(
+        words_span(change.spans.empty() ? std::string(words::kYouMayChange.in(language)) : ", "));
     if (const char* tex = tex_of(part))
       change.spans.push_back(formula(tex));
     else
-      change.spans.push_back(words(std::string(facts_of(part).words)));
+      change.spans.push_back(words_span(std::string(facts_of(part).words.in(language))));
   }
-  change.spans.push_back(words("."));
+  change.spans.push_back(words_span("."));
   prompt.push_back(std::move(change));
 }
 

@@ -17,7 +17,8 @@ inline constexpr std::array kKeysOfStates = {"goals", "change", "solution"};
 std::optional<StateTask> read_state_task(const TomlTable& table, SourcePlace place, TextReader& texts);
 
 /// Behind what is asked: "Goal: … To be changed: …".
-void say_what_is_to_be_reached(const StateTask& task, const Vocabulary& vocabulary, RichText& prompt);
+void say_what_is_to_be_reached(const StateTask& task, const Vocabulary& vocabulary, Language language,
+                               RichText& prompt);
 
 /// What a question asks, as pages and slides have it: the goals of a state question and what may be changed
 /// stand where it is answered, in the window's panel and on readers' pages.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/questions/state_task.h"
 
+#include "base/words/page_words.h"
 #include "lessons/claims/proof/counterexample_text.h"
 #include "render/scene/model/model.h"
 
@@ -62,19 +63,21 @@ bool has_angle_of_nothing(const Expression& expression, MotionNumbers& motion) {
 
 }  // namespace
 
-std::string range_of(const StateGoal& goal) {
+std::string range_of(const StateGoal& goal, Language language) {
   const std::string& unit = goal.number.written.unit;
-  const auto text = [&](double value) { return with_unit(number_text(value), unit); };
+  const auto number = [&](double value) { return with_decimals(number_text(value), language); };
+  const auto text = [&](double value) { return with_unit(number(value), unit); };
   if (goal.is) {
     // As in 20° ± 1°, 3 ± 1 and (3 ± 0.1) s.
     const bool is_degrees = unit == "deg" || unit == "°", has_none = unit.empty() || unit == "1";
-    const std::string within = number_text(*goal.most - *goal.is);
+    const std::string within = number(*goal.most - *goal.is);
     if (is_degrees) return text(*goal.is) + " ± " + within + "°";
-    const std::string both = number_text(*goal.is) + " ± " + within;
+    const std::string both = number(*goal.is) + " ± " + within;
     return has_none ? both : '(' + both + ") " + unit;
   }
-  if (goal.least && goal.most) return "between " + text(*goal.least) + " and " + text(*goal.most);
-  return goal.least ? "at least " + text(*goal.least) : "at most " + text(*goal.most);
+  if (goal.least && goal.most) return words::kBetween.with(language, {text(*goal.least), text(*goal.most)});
+  return goal.least ? words::kAtLeast.with(language, {text(*goal.least)})
+                    : words::kAtMost.with(language, {text(*goal.most)});
 }
 
 std::string value_text(const StateGoal& goal, double value) {
@@ -119,8 +122,8 @@ std::string why_not_allowed(const StateTask& task, const SteeredState& state) {
     const auto part = static_cast<Steered>(i);
     if (changed.contains(part) && !task.change.contains(part))
       return fmt::format("this question keeps {} as {} in the lesson: it asks to change {}",
-                         facts_of(part).words, part == Steered::moments ? "they are" : "it is",
-                         words_of(task.change));
+                         facts_of(part).words.in(Language::en),
+                         part == Steered::moments ? "they are" : "it is", words_of(task.change));
   }
   if (state.torque && constant_torque(task.scene->torque).index() != state.torque->index())
     return std::holds_alternative<BodyTorque>(*state.torque)

@@ -26,8 +26,8 @@ struct StateGoal {
 
   const std::string& words() const { return say.empty() ? number.written.expression : say; }
 };
-/// "40° ± 1°", "at least 0.5 rad/s".
-std::string range_of(const StateGoal& goal);
+/// "40° ± 1°", "at least 0.5 rad/s"; 0,5 where the language has it so.
+std::string range_of(const StateGoal& goal, Language language = Language::en);
 /// "39.4°", with so many digits as tell it from the goal.
 std::string value_text(const StateGoal& goal, double value);
 

@@ -140,7 +140,7 @@ std::string words_of(const SteeredParts& parts) {
   std::string words;
   for (std::size_t i = 0; i < kSteered.size(); ++i)
     if (parts.contains(static_cast<Steered>(i)))
-      words += (words.empty() ? "" : ", ") + std::string(kSteered[i].words);
+      words += (words.empty() ? "" : ", ") + std::string(kSteered[i].words.in(Language::en));
   return words;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "base/words/phrase.h"
 #include "lessons/reader/front_matter/keys.h"
 #include "render/scene/description/scene.h"
 
@@ -20,17 +21,17 @@ namespace polhode {
 /// What of a motion can be steered.
 enum class Steered { omega, moments, attitude, torque, t };
 struct SteeredFacts {
-  std::string_view name;   ///< in lessons and answers
-  std::string_view words;  ///< in sentences
-  std::string_view form;   ///< how it is written
+  std::string_view name;  ///< in lessons and answers
+  Phrase words;           ///< in sentences
+  std::string_view form;  ///< how it is written
 };
 /// In the order of the enumeration.
 inline constexpr std::array<SteeredFacts, 5> kSteered = {
-    {{"omega", "ω", "omega = [0.1, 3, 0.1]"},
-     {"moments", "the moments of inertia", "moments = [1, 2, 2.5]"},
-     {"attitude", "the attitude", "attitude = [1, 0, 0, 0]"},
-     {"torque", "the torque", "torque = \"body:0.1,0,0\""},
-     {"t", "the time", "t = 0.4"}}};
+    {{"omega", {"ω", "ω"}, "omega = [0.1, 3, 0.1]"},
+     {"moments", {"the moments of inertia", "die Trägheitsmomente"}, "moments = [1, 2, 2.5]"},
+     {"attitude", {"the attitude", "die Lage"}, "attitude = [1, 0, 0, 0]"},
+     {"torque", {"the torque", "das Drehmoment"}, "torque = \"body:0.1,0,0\""},
+     {"t", {"the time", "die Zeit"}, "t = 0.4"}}};
 constexpr const SteeredFacts& facts_of(Steered part) { return kSteered[static_cast<std::size_t>(part)]; }
 
 class SteeredParts {

@@ -2,6 +2,7 @@
 #include "render/drawing/plots/meter_plots.h"
 
 #include "base/angles.h"
+#include "base/words/figure_words.h"
 #include "physics/body/euler.h"
 
 #include <algorithm>
@@ -69,8 +70,9 @@ std::vector<double> values_of(const Samples& samples, const Quantity& quantity) 
   return values;
 }
 
-TimePlot omega_plot(const Samples& samples) {
-  TimePlot plot{.title = "Angular velocity in the body", .unit = "rad/s", .t = samples.t_s};
+TimePlot omega_plot(const Samples& samples, Language language) {
+  TimePlot plot{
+      .title = std::string(words::kAngularVelocityInTheBody.in(language)), .unit = "rad/s", .t = samples.t_s};
   constexpr const char* kLabels[] = {"$\\omega_1$", "$\\omega_2$", "$\\omega_3$"};
   constexpr double kDashOf[] = {kDots, kDashes, kSolid};
   for (int i = 0; i < 3; ++i)
@@ -80,15 +82,17 @@ TimePlot omega_plot(const Samples& samples) {
   return plot;
 }
 
-TimePlot energy_plot(const PrincipalMoments& I, const Samples& samples) {
-  TimePlot plot{.title = "Kinetic energy", .unit = "J", .t = samples.t_s};
+TimePlot energy_plot(const PrincipalMoments& I, const Samples& samples, Language language) {
+  TimePlot plot{.title = std::string(words::kKineticEnergy.in(language)), .unit = "J", .t = samples.t_s};
   const auto energy = [&](const RigidBodyState& s) { return kinetic_energy(I, s.w_B); };
   plot.series.push_back({"$T$", kTRole, values_of(samples, energy), kSolid});
   return plot;
 }
 
-TimePlot momentum_plot(const PrincipalMoments& I, const Samples& samples, bool with_components) {
-  TimePlot plot{.title = "Angular momentum", .unit = "kg m²/s", .t = samples.t_s};
+TimePlot momentum_plot(const PrincipalMoments& I, const Samples& samples, bool with_components,
+                       Language language) {
+  TimePlot plot{
+      .title = std::string(words::kAngularMomentum.in(language)), .unit = "kg m²/s", .t = samples.t_s};
   const auto size = [&](const RigidBodyState& s) { return angular_momentum_B(I, s.w_B).stableNorm(); };
   plot.series.push_back({"$|\\vec L|$", kLRole, values_of(samples, size), kSolid});
   if (!with_components) return plot;
@@ -145,7 +149,10 @@ TimePlot drift_plot(const SceneModel& model, const Samples& samples) {
   const double w_size =
       model.scene.w0_B.cwiseAbs().maxCoeff() > 0.0 ? model.scene.w0_B.cwiseAbs().maxCoeff() : 1.0;
   const Conserved start = conserved(I, {model.q0_SB, model.scene.w0_B}, w_size);
-  TimePlot plot{.title = "Drift from the start", .unit = "relative; $\\angle$ in rad", .t = samples.t_s};
+  const Language language = model.scene.language;
+  TimePlot plot{.title = std::string(words::kDrift.in(language)),
+                .unit = std::string(words::kRelativeAngleInRad.in(language)),
+                .t = samples.t_s};
   plot.log_floor = kDriftFloor;
   std::vector<double> T, L, angle;
   for (const RigidBodyState& state : samples.states) {
@@ -286,7 +293,7 @@ TimePlot plot_of_quantities(const OwnPlot& own, const SceneModel& model, const S
   if (plot.title.empty()) {
     for (const TimeSeries& series : plot.series)
       plot.title += (plot.title.empty() ? "" : ", ") + series.label;
-    plot.title += " against " + plot.x_label;
+    plot.title = words::kAgainst.with(model.scene.language, {plot.title, plot.x_label});
   }
   return plot;
 }
@@ -353,11 +360,11 @@ TimePlot plot_of(Meter meter, const SceneModel& model, const Samples& samples) {
   const PrincipalMoments& I = model.scene.body.moments;
   switch (meter) {
     case Meter::omega:
-      return omega_plot(samples);
+      return omega_plot(samples, model.scene.language);
     case Meter::energy:
-      return energy_plot(I, samples);
+      return energy_plot(I, samples, model.scene.language);
     case Meter::momentum:
-      return momentum_plot(I, samples, !model.scene.torque.empty());
+      return momentum_plot(I, samples, !model.scene.torque.empty(), model.scene.language);
     case Meter::drift:
       break;
   }
@@ -377,10 +384,15 @@ std::vector<TimePlot> meter_plots(const SceneModel& model, double t_s) {
   for (const PlotSpec& spec : model.scene.meters) {
     if (const auto* own = std::get_if<OwnPlot>(&spec)) {
       plots.push_back(own_plot(*own, model, samples, t_s));
-      continue;
+    } else {
+      plots.push_back(plot_of(std::get<Meter>(spec), model, samples));
+      plots.back().now = t_s;
     }
-    plots.push_back(plot_of(std::get<Meter>(spec), model, samples));
-    plots.back().now = t_s;
+    TimePlot& made = plots.back();
+    made.language = model.scene.language;
+    made.title = with_decimals_in_formulas(std::move(made.title), made.language);
+    for (TimeSeries& series : made.series)
+      series.label = with_decimals_in_formulas(std::move(series.label), made.language);
   }
   return plots;
 }

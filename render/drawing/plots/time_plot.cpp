@@ -40,7 +40,7 @@ class ValueAxis {
  public:
   /// Marks of a range that is not rounded stand `spacing` px apart.
   ValueAxis(const TimePlot& plot, double bottom, double top, int intervals, double spacing)
-      : floor_(plot.log_floor) {
+      : language_(plot.language), floor_(plot.log_floor) {
     std::vector<double> values;
     for (const TimeSeries& series : plot.series)
       values.insert(values.end(), series.y.begin(), series.y.end());
@@ -57,7 +57,8 @@ class ValueAxis {
     linear_.start_px = bottom;
     linear_.end_px = top;
     ticks_.clear();
-    for (LinearAxis::Mark& mark : linear_.marks(spacing)) ticks_.push_back({mark.px, std::move(mark.text)});
+    for (LinearAxis::Mark& mark : linear_.marks(spacing))
+      ticks_.push_back({mark.px, with_decimals(std::move(mark.text), language_)});
   }
 
   /// What a px is, of a linear axis between its ends.
@@ -100,6 +101,7 @@ class ValueAxis {
     linear_.round_out(intervals);
   }
 
+  Language language_;
   std::optional<double> floor_;
   LogAxis log_;
   LinearAxis linear_;
@@ -304,6 +306,7 @@ class TimePlotLayout {
     double spacing = px(plot_.is_path ? kMarkSpacing : kTimeMarkSpacing);
     for (;; spacing *= 1.5) {
       std::vector<LinearAxis::Mark> marks = time_.marks(spacing);
+      for (LinearAxis::Mark& mark : marks) mark.text = with_decimals(std::move(mark.text), plot_.language);
       double widest = 0.0;
       for (const LinearAxis::Mark& mark : marks) widest = std::max(widest, width_of(mark.text));
       if (widest + px(0.6) <= spacing || marks.size() < 2) return marks;

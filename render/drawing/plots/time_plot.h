@@ -3,6 +3,7 @@
 // result is a sheet of lines and text.
 #pragma once
 
+#include "base/words/language.h"
 #include "render/drawing/label_layout.h"
 #include "render/palette.h"
 #include "render/typeset/fonts.h"
@@ -38,7 +39,8 @@ struct TimePlot {
   /// series. Neither axis need show 0.
   bool is_path = false;
   std::vector<double> y_now{};
-  bool is_scaled_alike = false;  ///< of a path: the same length on both axes is the same
+  bool is_scaled_alike = false;      ///< of a path: the same length on both axes is the same
+  Language language = Language::en;  ///< of the marks on its axes
 };
 
 /// Room for text beside the axes, px: marks on the left, names on the right.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The exact motion beside the computed one: a translucent body, dashed arrows.
+#include "base/words/figure_words.h"
 #include "physics/body/euler.h"
 #include "render/figure/builders/builders.h"
 #include "render/palette.h"
@@ -17,7 +18,7 @@ constexpr float kAlpha = 0.6F;
 constexpr double kDash = 0.06;
 
 /// No name where the computed arrow, with its own, is as good as here.
-void add_arrow(const Snapshot& m, const Vec3& tip_V, const Vec3& computed_V, const char* name,
+void add_arrow(const Snapshot& m, const Vec3& tip_V, const Vec3& computed_V, const Phrase& name,
                const Role& role, DrawList& list) {
   Color paint = role.paint;
   paint.a = kAlpha;
@@ -25,7 +26,7 @@ void add_arrow(const Snapshot& m, const Vec3& tip_V, const Vec3& computed_V, con
       {.tail = Vec3::Zero(), .tip = tip_V, .radius = 0.017 * m.thickness, .color = paint, .dash = kDash});
   constexpr double kApart = 0.15;
   if (m.shows(Overlay::labels) && (tip_V - computed_V).norm() > kApart)
-    list.labels.push_back({.text = name,
+    list.labels.push_back({.text = std::string(name.in(m.model.scene.language)),
                            .anchor = 1.05 * tip_V,
                            .color = role.ink,
                            .size = 0.9,
@@ -103,18 +104,18 @@ void add_ghost(const Snapshot& m, const Camera& camera, DrawList& list) {
   add_ghost_of_solid(m, exact.q_SB, list);
   const bool turning = !exact.w_B.isZero(0.0);
   if (m.shows(Overlay::L) && turning)
-    add_arrow(m, q_VB * m.L_drawn_B(angular_momentum_B(m.I(), exact.w_B)), m.L_tip_V(), "$\\vec L$ exact",
+    add_arrow(m, q_VB * m.L_drawn_B(angular_momentum_B(m.I(), exact.w_B)), m.L_tip_V(), words::kExactL,
               kLRole, list);
   if (m.shows(Overlay::omega) && turning)
-    add_arrow(m, q_VB * (exact.w_B * m.omega_scale), m.omega_tip_V(), "$\\vec\\omega$ exact", kOmegaRole,
-              list);
+    add_arrow(m, q_VB * (exact.w_B * m.omega_scale), m.omega_tip_V(), words::kExactOmega, kOmegaRole, list);
   if (!m.shows(Overlay::labels) || computed == 0 || list.meshes.size() == computed) return;
   const std::span<const Mesh> meshes = list.meshes;
   const std::vector<Vec3> computed_body = as_seen(meshes.first(computed), camera),
                           ghost_body = as_seen(meshes.subspan(computed), camera);
   name_body(facts_of(*m.model.scene.motion.method).term,
             standing_out(computed_body, ghost_body, camera, -1.0), camera, list);
-  name_body("exact motion", standing_out(ghost_body, computed_body, camera, 1.0), camera, list);
+  name_body(std::string(words::kExactMotion.in(m.model.scene.language)),
+            standing_out(ghost_body, computed_body, camera, 1.0), camera, list);
 }
 
 }  // namespace polhode::builders

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Names of what is shown, anchored to it, and the computed values in the corner.
+#include "base/words/figure_words.h"
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
 #include "render/figure/builders/builders.h"
@@ -24,10 +25,13 @@ void add_symbol(DrawList& list, const char* text, const Vec3& anchor, const Colo
 }
 
 /// @param side on the screen, x to the right and y up, where it stands
-void add_text(DrawList& list, const char* text, const Vec3& anchor, const Color& color,
+void add_text(DrawList& list, std::string text, const Vec3& anchor, const Color& color,
               const Eigen::Vector2d& side) {
-  list.labels.push_back(
-      {.text = text, .anchor = anchor, .color = color, .size = kTextSize, .side = side.normalized()});
+  list.labels.push_back({.text = std::move(text),
+                         .anchor = anchor,
+                         .color = color,
+                         .size = kTextSize,
+                         .side = side.normalized()});
 }
 
 Vec3 in_space(const Camera& camera, const Eigen::Vector2d& side) {
@@ -108,18 +112,20 @@ const Tube* find_tube(const DrawList& list, const Color& color) {
 void label_curves(const Snapshot& m, const Camera& camera, DrawList& list) {
   // Names stand higher or lower than the point they name: level with it a leader is read as a minus.
   const Eigen::Vector2d right(1.0, 0.25), left(-1.0, 0.15), low_right(1.0, -0.6);
-  const auto name = [&](const Color& curve, const char* text, const Eigen::Vector2d& end, const Color& ink) {
+  const auto name = [&](const Color& curve, const Phrase& text, const Eigen::Vector2d& end,
+                        const Color& ink) {
     const Eigen::Vector2d side(end.x(), end.y() < 0.0 ? -0.8 : 0.8);
     const Tube* tube = find_tube(list, curve);
     if (tube == nullptr) return;
     if (const auto at = furthest_in_picture(tube->points, camera, in_space(camera, end)))
-      add_text(list, text, *at, ink, side);
+      add_text(list, std::string(text.in(m.model.scene.language)), *at, ink, side);
   };
   if (m.shows(Overlay::polhode))
-    name(kPolhodeRole.paint, m.L_scale > 0.0 ? "path of $\\vec L$" : "polhode", right, kPolhodeRole.ink);
-  if (m.shows(Overlay::herpolhode)) name(kHerpolhodeRole.paint, "herpolhode", low_right, kHerpolhodeRole.ink);
+    name(kPolhodeRole.paint, m.L_scale > 0.0 ? words::kPathOfL : words::kPolhode, right, kPolhodeRole.ink);
+  if (m.shows(Overlay::herpolhode))
+    name(kHerpolhodeRole.paint, words::kHerpolhode, low_right, kHerpolhodeRole.ink);
   if (m.shows(Overlay::separatrix) && !m.model.separatrices_B.empty())
-    name(kSeparatrixPaint, "separatrix", left, kAxesRole.ink);
+    name(kSeparatrixPaint, words::kSeparatrix, left, kAxesRole.ink);
 }
 
 void label_surfaces(const Snapshot& m, const Camera& camera, DrawList& list) {
@@ -132,7 +138,7 @@ void label_surfaces(const Snapshot& m, const Camera& camera, DrawList& list) {
     const Vec3 aside = screen_direction(camera, 1.0, 0.0);
     const Vec3 away = -(camera.eye - camera.target).normalized();
     const Vec3 level(1.75 * aside.x() + 0.5 * away.x(), 1.75 * aside.y() + 0.5 * away.y(), list.floors[0].z);
-    list.labels.push_back({.text = "invariable plane",
+    list.labels.push_back({.text = std::string(words::kInvariablePlane.in(m.model.scene.language)),
                            .anchor = level,
                            .color = kAxesRole.ink,
                            .size = kTextSize,
@@ -150,12 +156,13 @@ void label_surfaces(const Snapshot& m, const Camera& camera, DrawList& list) {
 void label_cones(const Snapshot& m, const Camera& camera, DrawList& list) {
   if (!m.shows(Overlay::cones)) return;
   const Eigen::Vector2d side(-1.0, 0.4);
-  const auto name = [&](const Color& rim, const char* text, const Color& ink) {
+  const auto name = [&](const Color& rim, const Phrase& text, const Color& ink) {
     if (const Tube* tube = find_tube(list, rim))
-      add_text(list, text, furthest(tube->points, camera, in_space(camera, side)), ink, side);
+      add_text(list, std::string(text.in(m.model.scene.language)),
+               furthest(tube->points, camera, in_space(camera, side)), ink, side);
   };
-  name(kPolhodeRole.paint, "body cone", kPolhodeRole.ink);
-  if (m.view == View::space) name(kHerpolhodeRole.paint, "space cone", kHerpolhodeRole.ink);
+  name(kPolhodeRole.paint, words::kBodyCone, kPolhodeRole.ink);
+  if (m.view == View::space) name(kHerpolhodeRole.paint, words::kSpaceCone, kHerpolhodeRole.ink);
 }
 
 std::string number(double value) {
@@ -195,6 +202,7 @@ void add_values(const Snapshot& m, DrawList& list) {
   std::sort(sorted.begin(), sorted.end());
   readout.color_bar = m.shows(Overlay::polhode_family) && J > 0.0 && sorted[2] > sorted[0];
   if (readout.color_bar) readout.marker = scale_place(m.I(), J);
+  for (std::string& line : readout.lines) line = with_decimals(std::move(line), m.model.scene.language);
   list.readouts.push_back(std::move(readout));
 }
 

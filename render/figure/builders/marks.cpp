@@ -437,7 +437,7 @@ class MarkBuilder {
     const auto tip = vectors_.tip_V(note.at);
     if (!tip) return;
     if (const auto role = role_from(note.role))
-      list_.labels.push_back({.text = note.text,
+      list_.labels.push_back({.text = with_decimals_in_formulas(note.text, m_.model.scene.language),
                               .anchor = *tip,
                               .color = role->ink,
                               .size = kSymbolSize,
@@ -445,7 +445,10 @@ class MarkBuilder {
                               .tail = Vec3(Vec3::Zero()),
                               .beside = true});
     else
-      list_.labels.push_back({.text = note.text, .anchor = *tip, .color = kInk, .size = kTextSize});
+      list_.labels.push_back({.text = with_decimals_in_formulas(note.text, m_.model.scene.language),
+                              .anchor = *tip,
+                              .color = kInk,
+                              .size = kTextSize});
   }
 
   static constexpr double kSquare = 0.5;  // of the radius of an angle: the sides of the square of a right one

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What holds a heavy top: a stand below the pivot, the axle through it, and the weight that turns it.
+#include "base/words/figure_words.h"
 #include "render/figure/builders/builders.h"
 #include "render/palette.h"
 #include "render/scene/model/heavy_top_body.h"
@@ -89,7 +90,7 @@ void add_pivot(const Snapshot& m, const Camera& camera, DrawList& list) {
   const WeightEnds weight = weight_ends(m, camera, center_V, half.maxCoeff() + kBelow);
   list.arrows.push_back({.tail = weight.tail, .tip = weight.tip, .radius = 0.016, .color = kNRole.paint});
   // With or without `labels`: it is in no list of what is shown, and has the colour of torques.
-  list.labels.push_back({.text = "weight",
+  list.labels.push_back({.text = std::string(words::kWeight.in(m.model.scene.language)),
                          .anchor = weight.tip,
                          .color = kNRole.ink,
                          .size = 1.0,

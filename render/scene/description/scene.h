@@ -3,6 +3,7 @@
 // needed.
 #pragma once
 
+#include "base/words/language.h"
 #include "physics/body/bodies.h"
 #include "physics/body/torque.h"
 #include "physics/method_facts.h"
@@ -127,6 +128,7 @@ struct Scene {
   std::vector<Variation> vary{};
   /// The value of that number in this scene, which stands below its picture; written as a caption is.
   std::string label{};
+  Language language = Language::en;  ///< of what is written in its pictures: that of its lesson
   bool operator==(const Scene&) const = default;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model/turn_orders.h"
 
+#include "base/words/figure_words.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -27,8 +29,8 @@ TurnedBody turned(TurnOrder order, const Quat& q0_SB, double progress) {
   return {rotation(second) * rotation(first) * q0_SB, progress < 0.5 ? first : second};
 }
 
-const char* title_of(TurnOrder order) {
-  return order == TurnOrder::x_then_y ? "first about $x$, then about $y$" : "first about $y$, then about $x$";
+Phrase title_of(TurnOrder order) {
+  return order == TurnOrder::x_then_y ? words::kFirstXThenY : words::kFirstYThenX;
 }
 
 }  // namespace polhode

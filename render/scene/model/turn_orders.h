@@ -2,6 +2,7 @@
 // Two quarter turns about axes fixed in space, in both orders: finite rotations do not commute.
 #pragma once
 
+#include "base/words/phrase.h"
 #include "physics/body/types.h"
 
 #include <array>
@@ -27,6 +28,6 @@ struct TurnedBody {
 TurnedBody turned(TurnOrder order, const Quat& q0_SB, double progress);
 
 /// "first $x$, then $y$"
-const char* title_of(TurnOrder order);
+Phrase title_of(TurnOrder order);
 
 }  // namespace polhode

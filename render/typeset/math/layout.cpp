@@ -272,7 +272,7 @@ MathBox MathLayout::atom(const MathAtom& item) {
 Result<DisplayList, std::vector<TypeError>> set_math(const Math& math, const MathStyle& style,
                                                      const Fonts& fonts) {
   if (!math.root) return DisplayList{};
-  return MathLayout(style, fonts).run(*math.root);
+  return MathLayout(style, fonts).run(*with_decimals(math));
 }
 
 }  // namespace polhode

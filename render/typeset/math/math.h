@@ -3,6 +3,7 @@
 // TeXbook, Appendix G) with the measures of the font's OpenType MATH table.
 #pragma once
 
+#include "base/words/language.h"
 #include "render/typeset/fonts.h"
 
 #include <functional>
@@ -66,11 +67,14 @@ struct Math {
   std::vector<std::size_t> tag_offsets,
       term_offsets;      ///< bytes where each name begins; several tags are joined
   std::size_t made = 0;  ///< so many signs the author's macros stand for, with all of theirs
+  /// Whose decimal mark its numbers are shown and spoken with; read, and here, they have points.
+  Language language = Language::en;
 };
 
 /// All that is wrong is reported, up to 16 errors, in the order of their offsets. Linear in the formula's
 /// length.
-Result<Math, std::vector<TypeError>> parse_math(std::string_view tex, const MathMacros& macros = {});
+Result<Math, std::vector<TypeError>> parse_math(std::string_view tex, const MathMacros& macros = {},
+                                                Language language = Language::en);
 
 /// Where a reference leads, and what it shows.
 struct ShownReference {
@@ -110,7 +114,8 @@ struct MathStyle {
 Result<DisplayList, std::vector<TypeError>> set_math(const Math& math, const MathStyle& style,
                                                      const Fonts& fonts);
 
-/// What a reader would say: "d L over d t equals N". `say` gives the words of a symbol's name, empty: none.
+/// What a reader would say, in the language of the formula: "d L over d t equals N". `say` gives the words of
+/// a symbol's name, empty: none.
 std::string spoken(const Math& math, const std::vector<MathSymbol>& symbols,
                    const std::function<std::string(std::string_view symbol)>& say);
 

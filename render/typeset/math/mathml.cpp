@@ -209,13 +209,15 @@ class Writer {
     }
   }
 
-  /// Digits and a point between them are one number. Returns the index of the last.
+  /// Digits and a point, or comma, between them are one number. Returns the index of the last.
   std::size_t number(const std::vector<MathNode>& children, std::size_t i) {
     std::string digits;
     std::size_t end = i;
     const auto has_digit = [&](std::size_t k) { return k < children.size() && is_digit(children[k]); };
-    while (has_digit(end) || (end < children.size() && children[end].kind == Kind::symbol &&
-                              children[end].character == U'.' && has_digit(end + 1)))
+    const auto is_mark = [&](const MathNode& n) {
+      return n.kind == Kind::symbol && (n.character == U'.' || is_decimal_comma(n));
+    };
+    while (has_digit(end) || (end < children.size() && is_mark(children[end]) && has_digit(end + 1)))
       digits += static_cast<char>(children[end++].character);
     element("mn", "", digits);
     before_ = MathClass::ordinary;
@@ -657,7 +659,7 @@ class Writer {
 }  // namespace
 
 std::string mathml(const Math& math, const MathMlStyle& style) {
-  return math.root ? Writer(math, style).run(*math.root) : std::string();
+  return math.root ? Writer(math, style).run(*with_decimals(math)) : std::string();
 }
 
 }  // namespace polhode

@@ -150,13 +150,15 @@ bool MathParser::open(Open::Kind kind, std::string what, std::string partner, co
   return true;
 }
 
-Result<Math, std::vector<TypeError>> parse_math(std::string_view tex, const MathMacros& macros) {
+Result<Math, std::vector<TypeError>> parse_math(std::string_view tex, const MathMacros& macros,
+                                                Language language) {
   MathErrors errors;
   if (tex.size() > kMaxMathBytes) {
     errors.add(kMaxMathBytes, "formula is longer than " + std::to_string(kMaxMathBytes) + " bytes");
     return Failure<std::vector<TypeError>>{errors.take()};
   }
   Math math = MathParser(tex, macros, errors).run();
+  math.language = language;
   if (errors.none()) return math;
   return Failure<std::vector<TypeError>>{errors.take()};
 }

@@ -1,139 +1,29 @@
 // SPDX-License-Identifier: MIT
+#include "base/words/formula_words.h"
 #include "render/typeset/characters.h"
 #include "render/typeset/math/commands.h"
 #include "render/typeset/math/symbols.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <array>
 
 namespace polhode {
 namespace {
 
 using Kind = MathNode::Kind;
 
-std::string_view word_of(char32_t c) {
-  static const std::unordered_map<char32_t, std::string_view> kWords = {
-      {U'+', "plus"},
-      {U'−', "minus"},
-      {U'±', "plus or minus"},
-      {U'∓', "minus or plus"},
-      {U'×', "cross"},
-      {U'⋅', "dot"},
-      {U'÷', "divided by"},
-      {U'/', "over"},
-      {U'∗', "star"},
-      {U'⊗', "tensor"},
-      {U'∧', "wedge"},
-      {U'∘', "after"},
-      {U'∪', "union"},
-      {U'∩', "intersection"},
-      {U'∖', "without"},
-      {U'=', "equals"},
-      {U'≠', "is not equal to"},
-      {U'<', "is less than"},
-      {U'>', "is greater than"},
-      {U'≤', "is at most"},
-      {U'≥', "is at least"},
-      {U'≪', "is much less than"},
-      {U'≫', "is much greater than"},
-      {U'≡', "is identical to"},
-      {U'≈', "is about"},
-      {U'∼', "is of the order of"},
-      {U'≃', "is asymptotically"},
-      {U'≅', "is congruent to"},
-      {U'∝', "is proportional to"},
-      {U'≔', "is defined as"},
-      {U'∈', "in"},
-      {U'∉', "not in"},
-      {U'⊂', "is a subset of"},
-      {U'⊆', "is a subset of"},
-      {U'⟂', "is perpendicular to"},
-      {U'∥', "parallel"},
-      {U'∣', "such that"},
-      {U'→', "to"},
-      {U'←', "from"},
-      {U'↦', "maps to"},
-      {U'⇒', "implies"},
-      {U'⟹', "implies"},
-      {U'⇐', "follows from"},
-      {U'⟸', "follows from"},
-      {U'⇔', "is equivalent to"},
-      {U'⟺', "is equivalent to"},
-      {U'∂', "partial"},
-      {U'∇', "nabla"},
-      {U'ℏ', "h bar"},
-      {U'ℓ', "l"},
-      {U'∞', "infinity"},
-      {U'∅', "the empty set"},
-      {U'∀', "for all"},
-      {U'∃', "there is"},
-      {U'⊤', "transposed"},
-      {U'†', "dagger"},
-      {U'…', "and so on"},
-      {U'⋯', "and so on"},
-      {U'⋮', "and so on"},
-      {U'⋱', "and so on"},
-      {U'′', "prime"},
-      {U'″', "double prime"},
-      {U'‴', "triple prime"},
-      {U'!', "factorial"},
-      {U'∑', "the sum"},
-      {U'∏', "the product"},
-      {U'∫', "the integral"},
-      {U'∬', "the double integral"},
-      {U'∭', "the triple integral"},
-      {U'∮', "the closed integral"},
-      {U'∯', "the closed surface integral"},
-      {U'(', "open parenthesis"},
-      {U')', "close parenthesis"},
-      {U'[', "open bracket"},
-      {U']', "close bracket"},
-      {U'{', "open brace"},
-      {U'}', "close brace"},
-      {U'⟨', "open angle"},
-      {U'⟩', "close angle"},
-      {U'‖', "norm"},
-      {U'°', "degrees"},
-      {U'%', "percent"},
-  };
-  const auto found = kWords.find(c);
-  return found == kWords.end() ? std::string_view() : found->second;
-}
-
-std::string_view accent_word(char32_t accent) {
-  switch (accent) {
-    case 0x0302:
-      return "hat";
-    case 0x030C:
-      return "check";
-    case 0x0303:
-      return "tilde";
-    case 0x0307:
-      return "dot";
-    case 0x0308:
-      return "double dot";
-    case 0x20DB:
-      return "triple dot";
-    case 0x0304:
-      return "bar";
-    case 0x0306:
-      return "breve";
-    case 0x030A:
-      return "ring";
-    case 0x0301:
-      return "acute";
-    case 0x0300:
-      return "grave";
-    default:
-      return {};
-  }
+template <std::size_t kCount>
+const Phrase* words_of(const std::array<words::SignWords, kCount>& table, char32_t sign) {
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [sign](const words::SignWords& row) { return row.sign == sign; });
+  return found == table.end() ? nullptr : &found->words;
 }
 
 class FormulaSpeaker {
  public:
   FormulaSpeaker(const std::vector<MathSymbol>& symbols,
-                 const std::function<std::string(std::string_view)>& say)
-      : symbols_(&symbols), say_(say) {}
+                 const std::function<std::string(std::string_view)>& say, Language language)
+      : symbols_(&symbols), say_(say), language_(language) {}
 
   std::string run(const MathNode& root) {
     node(root);
@@ -147,6 +37,13 @@ class FormulaSpeaker {
     if (!text_.empty() && !joins) text_ += ' ';
     text_ += w;
     last_is_digit_ = false;
+  }
+
+  void word(const Phrase& phrase) { word(phrase.in(language_)); }
+
+  std::string_view word_of(char32_t sign) const {
+    const Phrase* known = words_of(words::kSigns, sign);
+    return known == nullptr ? std::string_view() : known->in(language_);
   }
 
   bool symbol_said(const MathSymbol* symbol) {
@@ -164,7 +61,7 @@ class FormulaSpeaker {
         continue;
       }
       if (is_bar(children[i])) {
-        if (!inside_bars) word("the magnitude of");
+        if (!inside_bars) word(words::kMagnitudeOf);
         if (children[i].kind == Kind::scripts) subscript_and_powers(children[i]);
         inside_bars = !inside_bars;
         continue;
@@ -184,7 +81,9 @@ class FormulaSpeaker {
       case Kind::symbol:
         return symbol(n);
       case Kind::text:
-        return word(n.text == kLiveRoom ? "its value now" : n.text == "°" ? "degrees" : n.text);
+        return word(n.text == kLiveRoom ? words::kItsValueNow.in(language_)
+                    : n.text == "°"     ? words::kDegrees.in(language_)
+                                        : std::string_view(n.text));
       case Kind::scripts:
         return scripts(n);
       case Kind::fraction:
@@ -200,22 +99,22 @@ class FormulaSpeaker {
       case Kind::grid:
         return grid(n);
       case Kind::cancel:
-        word("struck out");
+        word(words::kStruckOut);
         return atoms(n.children);
       case Kind::arrow:
-        word("goes to");
-        word("by");
+        word(words::kGoesTo);
+        word(words::kBy);
         node(n.children[0]);
-        if (!n.children[1].absent()) aside("with below", n.children[1]);
+        if (!n.children[1].absent()) aside(words::kWithBelow, n.children[1]);
         return;
       case Kind::stacked:
         node(n.children[0]);
-        if (!n.children[1].absent()) aside("with above", n.children[1]);
-        if (!n.children[2].absent()) aside("with below", n.children[2]);
+        if (!n.children[1].absent()) aside(words::kWithAbove, n.children[1]);
+        if (!n.children[2].absent()) aside(words::kWithBelow, n.children[2]);
         return;
       case Kind::bar:
         atoms(n.children);
-        return word(n.character == U'-' ? "bar" : "underlined");
+        return word(n.character == U'-' ? words::kBar : words::kUnderlined);
       case Kind::space:
         return pause(n.amount);
       case Kind::style:
@@ -235,11 +134,13 @@ class FormulaSpeaker {
     if (em >= kWide && !parted) word(",");
   }
 
-  void aside(std::string_view what, const MathNode& n) {
+  void aside(const Phrase& what, const MathNode& n) {
     word(what);
     node(n);
   }
 
+  static bool is_greek(char32_t c) { return is_greek_capital(c) || (U'α' <= c && c <= U'ω'); }
+  static char upper(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
   static bool is_greek_capital(char32_t c) { return U'Α' <= c && c <= U'Ω'; }
 
   void symbol(const MathNode& n) {
@@ -250,18 +151,22 @@ class FormulaSpeaker {
       last_is_digit_ = true;
       return;
     }
-    if (c == U'.' && last_is_digit_) {
-      text_ += '.';
+    if ((c == U'.' || is_decimal_comma(n)) && last_is_digit_) {
+      text_ += static_cast<char>(c);
       return;
     }
-    std::string_view known = word_of(c);
-    if (known.empty() && c >= 0x80) known = name_of_symbol(c);
+    std::string known(word_of(c));
+    if (known.empty() && c >= 0x80) {
+      known = name_of_symbol(c);
+      // A noun, in German: Omega.
+      if (language_ == Language::de && is_greek(c) && !known.empty()) known.front() = upper(known.front());
+    }
     // Heard, Ω and ω are one word.
     if (is_greek_capital(c) && !known.empty()) {
-      std::string name = "capital " + std::string(known);
-      char& first = name[name.size() - known.size()];
-      if ('A' <= first && first <= 'Z') first = static_cast<char>(first - 'A' + 'a');
-      return word(name);
+      char& first = known.front();
+      if (language_ == Language::en && 'A' <= first && first <= 'Z')
+        first = static_cast<char>(first - 'A' + 'a');
+      return word(words::kCapital.with(language_, {known}));
     }
     if (!known.empty()) return word(known);
     std::string letter;
@@ -275,7 +180,7 @@ class FormulaSpeaker {
     if (base.kind == Kind::brace) {
       node(n.children[0]);
       for (const std::size_t i : {1U, 2U})
-        if (!n.children[i].absent()) aside("which is", n.children[i]);
+        if (!n.children[i].absent()) aside(words::kWhichIs, n.children[i]);
       return;
     }
     const MathSymbol* below = symbols_.below_power(n);
@@ -285,7 +190,7 @@ class FormulaSpeaker {
   }
 
   void subscript_and_powers(const MathNode& n) {
-    if (!n.children[1].absent()) aside("sub", n.children[1]);
+    if (!n.children[1].absent()) aside(words::kSub, n.children[1]);
     powers(n);
   }
 
@@ -295,29 +200,29 @@ class FormulaSpeaker {
     if (power.kind == Kind::symbol) {
       const char32_t c = power.character;
       constexpr std::u32string_view kMarks = U"∗⊤†′″‴";
-      if (c == U'2') return word("squared");
-      if (c == U'3') return word("cubed");
-      if (c == U'∘') return word("degrees");  // 90^\circ
+      if (c == U'2') return word(words::kSquared);
+      if (c == U'3') return word(words::kCubed);
+      if (c == U'∘') return word(words::kDegrees);  // 90^\circ
       if (kMarks.find(c) != std::u32string_view::npos) return symbol(power);
     }
     if (power.kind == Kind::row && power.children.size() == 2 && power.children[0].character == U'−' &&
         power.children[1].character == U'1')
-      return word("inverse");
-    if (power.kind == Kind::text) return aside("super", power);
-    aside("to the power", power);
+      return word(words::kInverse);
+    if (power.kind == Kind::text) return aside(words::kSuper, power);
+    aside(words::kToThePower, power);
   }
 
   void large_operator(const MathNode& n, const MathNode& base) {
     node(base);
     const MathNode& below = n.children[1];
     const MathNode& above = n.children[2];
-    if (base.kind == Kind::text && above.absent()) return aside("over", below);
-    if (!below.absent()) aside(above.absent() ? "over" : "from", below);
+    if (base.kind == Kind::text && above.absent()) return aside(words::kLimitOver, below);
+    if (!below.absent()) aside(above.absent() ? words::kLimitOver : words::kLimitFrom, below);
     if (!above.absent()) {
       if (below.absent()) return powers(n);
-      aside("to", above);
+      aside(words::kLimitTo, above);
     }
-    if (base.kind == Kind::symbol) word("of");
+    if (base.kind == Kind::symbol) word(words::kOf);
   }
 
   /// Neither sums nor relations: it needs no words that say where it ends.
@@ -333,36 +238,36 @@ class FormulaSpeaker {
   void fraction(const MathNode& n) {
     if (n.binomial) {
       node(n.children[0]);
-      return aside("choose", n.children[1]);
+      return aside(words::kChoose, n.children[1]);
     }
     const MathNode& top = without_groups(n.children[0]);
     const MathNode& bottom = without_groups(n.children[1]);
     if (top.character == U'1' && bottom.kind == Kind::symbol && bottom.character == U'2')
-      return word("one half");
+      return word(words::kOneHalf);
     const bool simple = is_simple(top) && is_simple(bottom);
-    if (!simple) word("the fraction");
+    if (!simple) word(words::kTheFraction);
     node(n.children[0]);
-    aside("over", n.children[1]);
-    if (!simple) word("end of fraction");
+    aside(words::kOver, n.children[1]);
+    if (!simple) word(words::kEndOfFraction);
   }
 
   void radical(const MathNode& n) {
     if (n.children[1].absent()) {
-      word("the square root of");
+      word(words::kSquareRootOf);
     } else {
-      word("the root of order");
+      word(words::kRootOfOrder);
       node(n.children[1]);
-      word("of");
+      word(words::kRootOf);
     }
     node(n.children[0]);
-    if (!is_simple(n.children[0])) word("end of root");
+    if (!is_simple(n.children[0])) word(words::kEndOfRoot);
   }
 
   void accent(const MathNode& n) {
-    const std::string_view after = accent_word(n.character);
-    if (after.empty()) word("vector");
+    const Phrase* after = words_of(words::kAccents, n.character);
+    if (after == nullptr) word(words::kVector);
     node(n.children[0]);
-    word(after);
+    if (after != nullptr) word(*after);
   }
 
   void fenced(const MathNode& n) {
@@ -371,15 +276,15 @@ class FormulaSpeaker {
       if (!is_magnitude)
         node(child);
       else if (&child == &n.children.front())
-        word("the magnitude of");
+        word(words::kMagnitudeOf);
     }
   }
 
   void grid(const MathNode& n) {
     const MathGrid& g = *n.grid;
     const bool is_matrix = g.kind == MathGrid::Kind::matrix || g.kind == MathGrid::Kind::small;
-    if (is_matrix) word(g.left == U'|' ? "the determinant with rows" : "the matrix with rows");
-    if (g.kind == MathGrid::Kind::cases) word("in cases");
+    if (is_matrix) word(g.left == U'|' ? words::kDeterminantWithRows : words::kMatrixWithRows);
+    if (g.kind == MathGrid::Kind::cases) word(words::kInCases);
     const auto columns = static_cast<std::size_t>(std::max(g.columns, 1));
     for (std::size_t i = 0; i < n.children.size(); ++i) {
       if (i > 0 && i % columns == 0)
@@ -392,6 +297,7 @@ class FormulaSpeaker {
 
   MathSymbols symbols_;
   const std::function<std::string(std::string_view)>& say_;
+  Language language_;
   std::string text_;
   bool last_is_digit_ = false;
 };
@@ -400,7 +306,7 @@ class FormulaSpeaker {
 
 std::string spoken(const Math& math, const std::vector<MathSymbol>& symbols,
                    const std::function<std::string(std::string_view symbol)>& say) {
-  return math.root ? FormulaSpeaker(symbols, say).run(*math.root) : std::string();
+  return math.root ? FormulaSpeaker(symbols, say, math.language).run(*with_decimals(math)) : std::string();
 }
 
 }  // namespace polhode

@@ -49,7 +49,50 @@ void put_numbers(MathNode& node, const Math& math, const std::vector<ShownNumber
   for (MathNode& child : node.children) put_numbers(child, math, shown);
 }
 
+/// Of 0.5², whose last digit has the power, the 5.
+const MathNode& without_scripts(const MathNode& node) {
+  return node.kind == Kind::scripts ? node.children.front() : node;
+}
+
+bool is_digit(const MathNode& node) {
+  return node.kind == Kind::symbol && U'0' <= node.character && node.character <= U'9';
+}
+
+/// Behind spaces: a digit, or a minus.
+bool begins_number(const std::vector<MathNode>& atoms, std::size_t i) {
+  while (i < atoms.size() && atoms[i].kind == Kind::space) ++i;
+  return i < atoms.size() && (is_digit(without_scripts(atoms[i])) || atoms[i].character == U'−');
+}
+
+/// Numbers of a list stand between semicolons then: (0,5; 1; 2).
+void put_decimal_commas(MathNode& node) {
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    MathNode& child = node.children[i];
+    put_decimal_commas(child);
+    const bool is_behind_digit =
+        child.kind == Kind::symbol && i > 0 && is_digit(without_scripts(node.children[i - 1]));
+    if (!is_behind_digit || i + 1 == node.children.size()) continue;
+    if (child.character == U'.' && is_digit(without_scripts(node.children[i + 1]))) {
+      child.character = U',';
+      child.atom = MathClass::ordinary;
+    } else if (child.character == U',' && begins_number(node.children, i + 1)) {
+      child.character = U';';
+    }
+  }
+}
+
 }  // namespace
+
+std::shared_ptr<const MathNode> with_decimals(const Math& math) {
+  if (decimal_mark(math.language) == '.' || !math.root) return math.root;
+  auto root = std::make_shared<MathNode>(*math.root);
+  put_decimal_commas(*root);
+  return root;
+}
+
+bool is_decimal_comma(const MathNode& node) {
+  return node.kind == Kind::symbol && node.character == U',' && node.atom == MathClass::ordinary;
+}
 
 Math with_numbers(const Math& math, const std::vector<ShownNumber>& shown) {
   if (!math.root || math.live.empty()) return math;

@@ -4,6 +4,7 @@
 
 #include "base/color.h"
 #include "render/typeset/display_list.h"
+#include "render/typeset/math/math.h"
 
 #include <cstdint>
 #include <memory>
@@ -113,6 +114,11 @@ const MathNode& without_groups(const MathNode& node);
 
 /// Whether both are the same mathematics, wherever they stand in their sources.
 bool same_math(const MathNode& a, const MathNode& b);
+
+/// As it is shown and spoken: where the formula's language has decimal commas, its numbers have them.
+std::shared_ptr<const MathNode> with_decimals(const Math& math);
+/// A comma without space behind it: one that parts decimals, not the entries of a list.
+bool is_decimal_comma(const MathNode& node);
 
 /// The index in Math::live of the number whose term a node is (live_name); nothing of other nodes.
 std::optional<std::size_t> index_of_live(const MathNode& node);

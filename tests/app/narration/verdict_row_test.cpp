@@ -39,12 +39,12 @@ Claim claim_of(const std::string& text, ClaimKind kind) {
 }
 
 VerdictRow row_of(const std::string& text, ClaimKind kind, const SceneModel* model = nullptr) {
-  return verdict_row(claim_of(text, kind), model ? &model->scene : nullptr, model);
+  return verdict_row(claim_of(text, kind), model ? &model->scene : nullptr, model, Language::en);
 }
 
 std::vector<std::string> rows_of(const Claim& claim, const Scene& scene, double t_s) {
   const SceneModel model = make_model(scene);
-  return live_rows(claim, *live_state(model, t_s), scene.views.front());
+  return live_rows(claim, *live_state(model, t_s), scene.views.front(), Language::en);
 }
 std::vector<std::string> rows_of(const std::string& text, ClaimKind kind, const Scene& scene, double t_s) {
   return rows_of(claim_of(text, kind), scene, t_s);
@@ -84,7 +84,7 @@ VerdictRow row_of(ClaimKind kind, Claim::Origin origin) {
   claim.kind = kind;
   claim.origin = origin;
   const Scene scene = spinning();
-  return verdict_row(claim, &scene, nullptr);
+  return verdict_row(claim, &scene, nullptr, Language::en);
 }
 
 TEST(VerdictRow, HasTheWordsThatTheTableOfTheFormatHas) {
@@ -143,17 +143,17 @@ TEST(VerdictRow, NamesTheMethodOfAMeasurement) {
 TEST(VerdictRow, MeasuresNothingWithoutAMotion) {
   Claim claim = claim_of("T = T", ClaimKind::measured);
   claim.lines[0].judgement.emplace().verdict = Verdict::holds;
-  const VerdictRow row = verdict_row(claim, nullptr, nullptr);
+  const VerdictRow row = verdict_row(claim, nullptr, nullptr, Language::en);
   EXPECT_EQ(row.word, "not confirmed");
   EXPECT_EQ(row.certainty, Certainty::open);
 }
 
 TEST(VerdictRow, ShowsWhatIsClaimedWhereTheFormulaIsNotThat) {
   Claim claim = claim_of("2*T = dot(omega, L)\nN = 0 * L", ClaimKind::law);
-  EXPECT_THAT(verdict_row(claim, nullptr, nullptr).claimed,
+  EXPECT_THAT(verdict_row(claim, nullptr, nullptr, Language::en).claimed,
               ElementsAre(R"(2\,T = \vec\omega\cdot \vec L)", R"(\vec N = 0\,\vec L)"));
   claim.origin = Claim::Origin::formula;
-  EXPECT_THAT(verdict_row(claim, nullptr, nullptr).claimed, IsEmpty());
+  EXPECT_THAT(verdict_row(claim, nullptr, nullptr, Language::en).claimed, IsEmpty());
 }
 
 TEST(VerdictRow, WhatCancelsTooFarIsNotCalledMeasured) {
@@ -190,9 +190,9 @@ TEST(LiveRows, WhatIsSoWithinAToleranceHasItsTwoNumbers) {
   EXPECT_THAT(rows_of(claim, spinning(), 0.0), ElementsAre("5.18 ≈ 5.21"));
   claim.lines[0].judgement.emplace().verdict = Verdict::holds;
   const Scene scene = spinning();
-  EXPECT_THAT(verdict_row(claim, &scene, nullptr).note, HasSubstr("to within 0.9 %"));
+  EXPECT_THAT(verdict_row(claim, &scene, nullptr, Language::en).note, HasSubstr("to within 0.9 %"));
   claim.lines[0].within.reset();
-  EXPECT_THAT(verdict_row(claim, &scene, nullptr).note, Not(HasSubstr("within")));
+  EXPECT_THAT(verdict_row(claim, &scene, nullptr, Language::en).note, Not(HasSubstr("within")));
 }
 
 // 2026-11-24: "4.85 = 4.85" stood where the sides were 4.848 and 4.861, as nothing could be told apart there.
@@ -216,7 +216,7 @@ TEST(LiveRows, SetAFactorOfTenApart) {
 // 0 = 0 tells nothing, and is there at all times.
 TEST(LiveRows, WhatIsSaidToBeZeroHasNone) {
   EXPECT_THAT(rows_of("ddt(L) = 0", ClaimKind::free, spinning(), 0.0), IsEmpty());
-  EXPECT_THAT(widest_live_rows(claim_of("ddt(L) = 0", ClaimKind::free)), IsEmpty());
+  EXPECT_THAT(widest_live_rows(claim_of("ddt(L) = 0", ClaimKind::free), Language::en), IsEmpty());
 }
 
 TEST(LiveRows, WhatComesToZeroOnTheMotionShowsNothing) {
@@ -232,7 +232,7 @@ TEST(LiveRows, EachEquationHasOneAndAChainIsOne) {
   Claim chain = claim_of("T = dot(omega, L)/2\ndot(omega, L)/2 = dot(L, omega)/2", ClaimKind::law);
   chain.lines[1].goes_on = true;
   EXPECT_THAT(rows_of(chain, spinning(), 0.0), ElementsAre("5.18 = 5.18 = 5.18"));
-  EXPECT_THAT(widest_live_rows(chain), SizeIs(1));
+  EXPECT_THAT(widest_live_rows(chain, Language::en), SizeIs(1));
   chain.lines[1].is_side_by_side = false;
   EXPECT_THAT(rows_of(chain, spinning(), 0.0), ElementsAre("5.18 = 5.18"));
 }
@@ -244,7 +244,7 @@ TEST(LiveRows, OfManyEquationsThereAreNone) {
 TEST(LiveRows, AreAsManyAsThereIsRoomFor) {
   for (const char* text : {"T = T", "w1 = w1\nomega = omega", "ddt(L) = 0", "w1 = w1\nw1 = 0"}) {
     const Claim claim = claim_of(text, ClaimKind::free);
-    EXPECT_EQ(rows_of(claim, spinning(), 0.3).size(), widest_live_rows(claim).size()) << text;
+    EXPECT_EQ(rows_of(claim, spinning(), 0.3).size(), widest_live_rows(claim, Language::en).size()) << text;
   }
 }
 
@@ -278,16 +278,16 @@ const char* const kLinear = "ddt(ddt(w1)) ~= (I2 - I3)*(I1 - I2)/(I1*I3)*w2^2*w1
 
 TEST(VerdictRow, SaysToWhichOrder) {
   const Claim claim = near_axis_two(kLinear);
-  const VerdictRow row = verdict_row(claim, nullptr, nullptr);
+  const VerdictRow row = verdict_row(claim, nullptr, nullptr, Language::en);
   EXPECT_EQ(row.word, "true when no torque acts");
   EXPECT_EQ(row.note, "to first order in $\\omega_1$, $\\omega_3$");
   EXPECT_EQ(row.certainty, Certainty::proved);
   ASSERT_THAT(row.claimed, SizeIs(1));
   EXPECT_THAT(row.claimed.front(), HasSubstr("\\approx"));
   const Claim wrong = near_axis_two("T ~= I2*w2^2");
-  EXPECT_EQ(verdict_row(wrong, nullptr, nullptr).word, "does not hold");
+  EXPECT_EQ(verdict_row(wrong, nullptr, nullptr, Language::en).word, "does not hold");
   const Claim called_false = near_axis_two("T ~= I2*w2^2", ClaimKind::is_false);
-  const VerdictRow false_row = verdict_row(called_false, nullptr, nullptr);
+  const VerdictRow false_row = verdict_row(called_false, nullptr, nullptr, Language::en);
   EXPECT_EQ(false_row.note, "to first order in $\\omega_1$, $\\omega_3$");
   EXPECT_THAT(false_row.example, ::testing::StartsWith("for example at $(I_1, I_2, I_3) = "));
 }
@@ -297,7 +297,7 @@ TEST(VerdictRow, TellsInequalitiesThatAreGiven) {
   Bound bound;
   bound.tex = "I_3 > I_1";
   claim.given.bounds.push_back(bound);
-  EXPECT_EQ(verdict_row(claim, nullptr, nullptr).note, "given $I_3 > I_1$");
+  EXPECT_EQ(verdict_row(claim, nullptr, nullptr, Language::en).note, "given $I_3 > I_1$");
 }
 
 TEST(VerdictRow, NumbersOfAnApproximationAreNotMadeEqual) {
@@ -323,7 +323,7 @@ TEST(VerdictRow, SaysWhereTheMotionBesideItIsAnother) {
   const auto note_under = [](const char* text, ClaimKind kind, Torque torque) {
     Scene scene = spinning();
     scene.torque = std::move(torque);
-    return verdict_row(claim_of(text, kind), &scene, nullptr).note;
+    return verdict_row(claim_of(text, kind), &scene, nullptr, Language::en).note;
   };
   const Torque body{BodyTorque{Vec3(0, 0, 1)}}, sink{EnergySink{0.1}};
   EXPECT_EQ(note_under("ddt(L) = 0", ClaimKind::free, {}), "");

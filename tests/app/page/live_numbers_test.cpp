@@ -86,12 +86,14 @@ TEST(PageNumbers, ThatRunHaveTheRoomOfTheWidest) {
   const double kGrid = 1e-3 * math.size;  // glyphs are set on their own grid
   EXPECT_NEAR(rooms[0].width, set_alone("-43.0", 24).width, kGrid);
   for (const double value : {3.0, 23.0, -43.0, 1e6, -1e9}) {
-    const PlacedType number = live_number_in(rooms[0], top().numbers[0], value, test_fonts());
+    const PlacedType number = live_number_in(rooms[0], top().numbers[0], value, Language::en, test_fonts());
     EXPECT_NEAR(number.at.x() + number.list.width, rooms[0].at.x() + rooms[0].width, kGrid) << value;
     EXPECT_LE(number.list.width, rooms[0].width + kGrid) << value;
     EXPECT_EQ(number.at.y(), rooms[0].at.y());
   }
-  EXPECT_GT(live_number_in(rooms[0], top().numbers[0], std::nullopt, test_fonts()).list.width, 0) << "dots";
+  EXPECT_GT(live_number_in(rooms[0], top().numbers[0], std::nullopt, Language::en, test_fonts()).list.width,
+            0)
+      << "dots";
 }
 
 TEST(PageNumbers, TakeTheirRoomFromTheScenesInterval) {

@@ -59,7 +59,7 @@ TEST(DeckHtml, NoTextCanBecomeMarkup) {
   };
   const auto want = marks(deck);
   deck.title = deck.slides[0].title = deck.slides[1].part = deck.slides[2].alt = bad;
-  deck.slides[3].notes[0].text = deck.language = bad;
+  deck.slides[3].notes[0].text = bad;
   EXPECT_EQ(marks(deck), want);
   EXPECT_THAT(written(deck, DeckKind::html), Not(HasSubstr("<img src=x")));
 }

@@ -252,7 +252,7 @@ TEST(DeckPptx, TextsCannotBecomeMarkup) {
   const ScratchFolder folder;
   Deck deck = example_deck(folder);
   const std::string bad = "</a:t><a:t>\"'&]]>\x01\xEF\xBF\xBF{{ink}}", shown = "</a:t><a:t>\"'&]]> �{{ink}}";
-  deck.title = deck.author = deck.language = deck.slides[0].title = deck.slides[0].alt = bad;
+  deck.title = deck.author = deck.slides[0].title = deck.slides[0].alt = bad;
   deck.slides[0].part.clear();
   deck.slides[0].notes[0].text = bad;
   const Parts parts = parts_of(deck);
@@ -389,7 +389,7 @@ TEST(DeckPptx, LibreOfficeUnderstandsTitlesAlternativeTextsAndNotes) {
   const ScratchFolder folder;
   Deck deck = example_deck(folder);
   deck.author = "E. Poinsot";
-  deck.language = "de";
+  deck.language = Language::de;
   deck.slides[2].part = deck.slides[1].part;
   deck.slides[3].alt = "a \"b\" < c & d, ω";
   deck.slides[4].notes.clear();

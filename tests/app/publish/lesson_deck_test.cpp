@@ -292,7 +292,7 @@ TEST(LessonDeck, LeadsFromItsNotesToItsSlides) {
     slide_of(folder, fs::path(picture.file).stem(), Image{{2, 1}, std::vector<std::uint8_t>(8, 255)});
   const Deck deck = *deck_of(*lesson.lesson, options, plan, folder.path());
   EXPECT_EQ(deck.author, "A. B., C. D.");
-  EXPECT_EQ(deck.language, "de");
+  EXPECT_EQ(deck.language, Language::de);
   ASSERT_EQ(deck.slides.size(), 3u);
   const auto links = [](const StepNote& note) {
     std::string all;

@@ -69,11 +69,11 @@ TEST(ReadLesson, ReportsFrontMatterAndTextAtOnce) {
   EXPECT_THAT(
       complaints(
           "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\ncolour = 1\n+++\n# A {a}\n```scene\nat = ''\n```\n"),
-      ElementsAre(
-          "5:1: error: unknown key \"colour\" in the front matter (one of format, id, title, body, axes, "
-          "macros, constants, define, symbols, assume, scene, author, licence, language, outcomes, "
-          "prerequisites, next, labels, references)",
-          "9:6: error: \"at\" takes a number, found a string"));
+      ElementsAre("5:1: error: unknown key \"colour\" in the front matter (one of format, id, title, body, "
+                  "language, axes, "
+                  "macros, constants, define, symbols, assume, scene, author, licence, outcomes, "
+                  "prerequisites, next, labels, references)",
+                  "9:6: error: \"at\" takes a number, found a string"));
 }
 
 TEST(ReadLesson, DoesNotBlameBodiesThatAWrongFrontMatterMayHold) {

@@ -213,8 +213,8 @@ TEST(TurnOrders, AreTwoPanesThatEndDifferently) {
   };
   const Figure figure = make_figure(model, 4.0, kAspect);
   ASSERT_EQ(figure.panes.size(), 2U);
-  EXPECT_EQ(figure.panes[0].title, title_of(TurnOrder::x_then_y));
-  EXPECT_EQ(figure.panes[1].title, title_of(TurnOrder::y_then_x));
+  EXPECT_EQ(figure.panes[0].title, title_of(TurnOrder::x_then_y).in(Language::en));
+  EXPECT_EQ(figure.panes[1].title, title_of(TurnOrder::y_then_x).in(Language::en));
   EXPECT_EQ(figure.panes[1].x, 0.5);
   EXPECT_EQ(make_figure(model, 4.0, 0.7).panes[1].y, 0.5);  // in an upright picture one above the other
   EXPECT_LT((axis_1(0.0, 0) - axis_1(0.0, 1)).norm(), kRounding);

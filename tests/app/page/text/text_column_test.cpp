@@ -87,7 +87,8 @@ class Column : public testing::TestWithParam<Sizes> {
       pieces.push_back(c.earlier_equation(equation).value());
     }
     for (const Callout& callout : blocks_of<Callout>())
-      pieces.push_back(c.callout(callout, std::string(names_of(callout.kind).label)).value());
+      pieces.push_back(
+          c.callout(callout, std::string(names_of(callout.kind).label.in(Language::en))).value());
     for (const Ask& ask : blocks_of<Ask>()) pieces.push_back(c.question(ask).value());
     return pieces;
   }
@@ -285,8 +286,9 @@ TEST_P(Column, MarksLieBehindTheTermsOfTheirNamesAlone) {
 TEST_P(Column, CalloutsAndQuestionsHaveTheirNameAndABarBesideTheirWholeText) {
   std::vector<std::pair<ColumnPiece, Color>> labelled;
   for (const Callout& callout : blocks_of<Callout>())
-    labelled.emplace_back(column().callout(callout, std::string(names_of(callout.kind).label)).value(),
-                          callout.kind == Callout::Kind::said ? colors().said : colors().meant);
+    labelled.emplace_back(
+        column().callout(callout, std::string(names_of(callout.kind).label.in(Language::en))).value(),
+        callout.kind == Callout::Kind::said ? colors().said : colors().meant);
   labelled.emplace_back(column().question(blocks_of<Ask>()[0]).value(), colors().question);
   ASSERT_EQ(labelled.size(), 3u);
   for (const auto& [piece, color] : labelled) {

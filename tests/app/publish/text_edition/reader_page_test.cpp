@@ -158,7 +158,7 @@ class LostWords {
     if (!equation.tag.empty()) expect('(' + equation.tag + ')');
   }
   void look_at(const Claim& claim, const Step& step) {
-    expect(verdict_row(claim, step.scene.get(), nullptr).word);
+    expect(verdict_row(claim, step.scene.get(), nullptr, Language::en).word);
   }
   void look_at(const Ask& ask, const Step&) {
     expect(ask.prompt_text);

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// What is said of the signs of formulas (spoken() of render/typeset/math/math.h), and of numbers.
+#pragma once
+
+#include "base/words/phrase.h"
+
+#include <array>
+
+namespace polhode::words {
+
+struct SignWords {
+  char32_t sign;
+  Phrase words;
+};
+
+inline constexpr auto kSigns = std::to_array<SignWords>({
+    {U'+', {"plus", "plus"}},
+    {U'−', {"minus", "minus"}},
+    {U'±', {"plus or minus", "plus oder minus"}},
+    {U'∓', {"minus or plus", "minus oder plus"}},
+    {U'×', {"cross", "Kreuz"}},
+    {U'⋅', {"dot", "mal"}},
+    {U'÷', {"divided by", "geteilt durch"}},
+    {U'/', {"over", "durch"}},
+    {U'∗', {"star", "Stern"}},
+    {U'⊗', {"tensor", "Tensor"}},
+    {U'∧', {"wedge", "Dach"}},
+    {U'∘', {"after", "nach"}},
+    {U'∪', {"union", "vereinigt mit"}},
+    {U'∩', {"intersection", "geschnitten mit"}},
+    {U'∖', {"without", "ohne"}},
+    {U'=', {"equals", "gleich"}},
+    {U'≠', {"is not equal to", "ungleich"}},
+    {U'<', {"is less than", "kleiner als"}},
+    {U'>', {"is greater than", "größer als"}},
+    {U'≤', {"is at most", "höchstens"}},
+    {U'≥', {"is at least", "mindestens"}},
+    {U'≪', {"is much less than", "sehr viel kleiner als"}},
+    {U'≫', {"is much greater than", "sehr viel größer als"}},
+    {U'≡', {"is identical to", "identisch gleich"}},
+    {U'≈', {"is about", "etwa gleich"}},
+    {U'∼', {"is of the order of", "von der Größenordnung"}},
+    {U'≃', {"is asymptotically", "asymptotisch gleich"}},
+    {U'≅', {"is congruent to", "kongruent zu"}},
+    {U'∝', {"is proportional to", "proportional zu"}},
+    {U'≔', {"is defined as", "definiert als"}},
+    {U'∈', {"in", "Element von"}},
+    {U'∉', {"not in", "nicht Element von"}},
+    {U'⊂', {"is a subset of", "Teilmenge von"}},
+    {U'⊆', {"is a subset of", "Teilmenge von"}},
+    {U'⟂', {"is perpendicular to", "senkrecht zu"}},
+    {U'∥', {"parallel", "parallel zu"}},
+    {U'∣', {"such that", "so dass"}},
+    {U'→', {"to", "gegen"}},
+    {U'←', {"from", "von"}},
+    {U'↦', {"maps to", "wird abgebildet auf"}},
+    {U'⇒', {"implies", "daraus folgt"}},
+    {U'⟹', {"implies", "daraus folgt"}},
+    {U'⇐', {"follows from", "folgt aus"}},
+    {U'⟸', {"follows from", "folgt aus"}},
+    {U'⇔', {"is equivalent to", "genau dann, wenn"}},
+    {U'⟺', {"is equivalent to", "genau dann, wenn"}},
+    {U'∂', {"partial", "partiell"}},
+    {U'∇', {"nabla", "Nabla"}},
+    {U'ℏ', {"h bar", "h quer"}},
+    {U'ℓ', {"l", "l"}},
+    {U'∞', {"infinity", "unendlich"}},
+    {U'∅', {"the empty set", "die leere Menge"}},
+    {U'∀', {"for all", "für alle"}},
+    {U'∃', {"there is", "es gibt"}},
+    {U'⊤', {"transposed", "transponiert"}},
+    {U'†', {"dagger", "adjungiert"}},
+    {U'…', {"and so on", "und so weiter"}},
+    {U'⋯', {"and so on", "und so weiter"}},
+    {U'⋮', {"and so on", "und so weiter"}},
+    {U'⋱', {"and so on", "und so weiter"}},
+    {U'′', {"prime", "Strich"}},
+    {U'″', {"double prime", "zwei Strich"}},
+    {U'‴', {"triple prime", "drei Strich"}},
+    {U'!', {"factorial", "Fakultät"}},
+    {U'∑', {"the sum", "die Summe"}},
+    {U'∏', {"the product", "das Produkt"}},
+    {U'∫', {"the integral", "das Integral"}},
+    {U'∬', {"the double integral", "das Doppelintegral"}},
+    {U'∭', {"the triple integral", "das Dreifachintegral"}},
+    {U'∮', {"the closed integral", "das geschlossene Integral"}},
+    {U'∯', {"the closed surface integral", "das geschlossene Oberflächenintegral"}},
+    {U'(', {"open parenthesis", "Klammer auf"}},
+    {U')', {"close parenthesis", "Klammer zu"}},
+    {U'[', {"open bracket", "eckige Klammer auf"}},
+    {U']', {"close bracket", "eckige Klammer zu"}},
+    {U'{', {"open brace", "geschweifte Klammer auf"}},
+    {U'}', {"close brace", "geschweifte Klammer zu"}},
+    {U'⟨', {"open angle", "spitze Klammer auf"}},
+    {U'⟩', {"close angle", "spitze Klammer zu"}},
+    {U'‖', {"norm", "Norm"}},
+    {U'°', {"degrees", "Grad"}},
+    {U'%', {"percent", "Prozent"}},
+});
+
+/// Of accents, behind what they stand on; \vec's is said before it.
+inline constexpr auto kAccents = std::to_array<SignWords>({
+    {0x0302, {"hat", "Dach"}},
+    {0x030C, {"check", "Hatschek"}},
+    {0x0303, {"tilde", "Tilde"}},
+    {0x0307, {"dot", "Punkt"}},
+    {0x0308, {"double dot", "zwei Punkt"}},
+    {0x20DB, {"triple dot", "drei Punkt"}},
+    {0x0304, {"bar", "quer"}},
+    {0x0306, {"breve", "Breve"}},
+    {0x030A, {"ring", "Ring"}},
+    {0x0301, {"acute", "Akut"}},
+    {0x0300, {"grave", "Gravis"}},
+});
+inline constexpr Phrase kVector{"vector", "Vektor"};
+inline constexpr Phrase kBar{"bar", "quer"};
+inline constexpr Phrase kUnderlined{"underlined", "unterstrichen"};
+inline constexpr Phrase kCapital{"capital {0}", "groß {0}"};
+
+inline constexpr Phrase kMagnitudeOf{"the magnitude of", "Betrag von"};
+inline constexpr Phrase kItsValueNow{"its value now", "sein jetziger Wert"};
+inline constexpr Phrase kDegrees{"degrees", "Grad"};
+inline constexpr Phrase kStruckOut{"struck out", "gestrichen"};
+inline constexpr Phrase kGoesTo{"goes to", "geht über in"};
+inline constexpr Phrase kBy{"by", "durch"};
+inline constexpr Phrase kWithBelow{"with below", "darunter"};
+inline constexpr Phrase kWithAbove{"with above", "darüber"};
+inline constexpr Phrase kWhichIs{"which is", "das ist"};
+inline constexpr Phrase kSub{"sub", "Index"};
+inline constexpr Phrase kSuper{"super", "oben"};
+inline constexpr Phrase kSquared{"squared", "Quadrat"};
+inline constexpr Phrase kCubed{"cubed", "hoch 3"};
+inline constexpr Phrase kInverse{"inverse", "invers"};
+inline constexpr Phrase kToThePower{"to the power", "hoch"};
+inline constexpr Phrase kOver{"over", "durch"};      ///< of a fraction
+inline constexpr Phrase kLimitOver{"over", "über"};  ///< of a sum
+inline constexpr Phrase kLimitFrom{"from", "von"};
+inline constexpr Phrase kLimitTo{"to", "bis"};
+inline constexpr Phrase kOf{"of", "von"};
+inline constexpr Phrase kChoose{"choose", "über"};
+inline constexpr Phrase kOneHalf{"one half", "ein Halb"};
+inline constexpr Phrase kTheFraction{"the fraction", "der Bruch"};
+inline constexpr Phrase kEndOfFraction{"end of fraction", "Ende des Bruchs"};
+inline constexpr Phrase kSquareRootOf{"the square root of", "Wurzel aus"};
+inline constexpr Phrase kRootOfOrder{"the root of order", "die Wurzel der Ordnung"};
+inline constexpr Phrase kRootOf{"of", "aus"};
+inline constexpr Phrase kEndOfRoot{"end of root", "Ende der Wurzel"};
+inline constexpr Phrase kDeterminantWithRows{"the determinant with rows", "die Determinante mit den Zeilen"};
+inline constexpr Phrase kMatrixWithRows{"the matrix with rows", "die Matrix mit den Zeilen"};
+inline constexpr Phrase kInCases{"in cases", "in den Fällen"};
+
+// Computed numbers.
+inline constexpr Phrase kMinus{"minus {0}", "minus {0}"};
+inline constexpr Phrase kTimesTenToThePower{"{0} times 10 to the power {1}", "{0} mal 10 hoch {1}"};
+inline constexpr Phrase kNotDefined{"not defined", "nicht definiert"};
+
+// Words of an author that formulas are read with, in any of the languages.
+inline constexpr std::array<Phrase, 3> kReadInFormulas = {
+    {{"and", "und"}, {"so", "also"}, {"does not give", "ergibt nicht"}}};
+
+/// What a word of a formula is in English, by which formulas are read; others stay.
+constexpr std::string_view read_in_english(std::string_view words) {
+  for (const Phrase& phrase : kReadInFormulas)
+    for (const Language language : kLanguages)
+      if (phrase.in(language) == words) return phrase.in(Language::en);
+  return words;
+}
+
+}  // namespace polhode::words

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "base/words/phrase.h"
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+std::string Phrase::with(Language language, std::initializer_list<std::string_view> parts) const {
+  const std::string_view text = in(language);
+  std::string filled;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_part = text[i] == '{' && i + 2 < text.size() && is_digit(text[i + 1]) && text[i + 2] == '}';
+    if (!is_part) {
+      filled += text[i];
+      continue;
+    }
+    const auto which = static_cast<std::size_t>(text[i + 1] - '0');
+    if (which < parts.size()) filled += parts.begin()[which];
+    i += 2;
+  }
+  return filled;
+}
+
+std::string with_decimals_in_formulas(std::string line, Language language) {
+  if (decimal_mark(language) == '.') return line;
+  std::string text;
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t begin = std::min(line.find('$', at), line.size());
+    const std::size_t end =
+        begin == line.size() ? begin : std::min(line.find('$', begin + 1), line.size() - 1) + 1;
+    text += line.substr(at, begin - at) + with_decimals(line.substr(begin, end - begin), language);
+    at = end;
+  }
+  return text;
+}
+
+std::string with_decimals(std::string line, Language language) {
+  if (decimal_mark(language) == '.') return line;
+  std::string text;
+  bool is_formula = false;
+  const auto begins_number = [](std::string_view rest) {
+    while (rest.starts_with(' ')) rest.remove_prefix(1);
+    return !rest.empty() && (is_digit(rest.front()) || rest.front() == '-' || rest.starts_with("−"));
+  };
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '$') is_formula = !is_formula;
+    const bool is_behind_digit = i > 0 && is_digit(line[i - 1]);
+    if (c == '.' && is_behind_digit && i + 1 < line.size() && is_digit(line[i + 1]))
+      text += is_formula ? "{,}" : ",";
+    else if (c == ',' && is_behind_digit && begins_number(std::string_view(line).substr(i + 1)))
+      text += ';';
+    else
+      text += c;
+  }
+  return text;
+}
+
+}  // namespace polhode
