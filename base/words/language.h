@@ -28,7 +28,7 @@ constexpr char decimal_mark(Language language) { return language == Language::de
 
 /// A line of text, with formulas between dollars, whose numbers have points: those between two digits as the
 /// language has them, "0,5" and "$0{,}5$", where TeX makes no space behind the comma; and numbers of a list
-/// then stand between semicolons, "(0,5; 1; 2)".
+/// with decimals then stand between semicolons, "(0,5; 1; 2)".
 std::string with_decimals(std::string line, Language language);
 /// The same of its formulas alone: of an author's line, whose other words are in the language already.
 std::string with_decimals_in_formulas(std::string line, Language language);

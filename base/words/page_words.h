@@ -25,6 +25,13 @@ inline constexpr Phrase kAtLeast{"at least {0}", "mindestens {0}"};
 inline constexpr Phrase kAtMost{"at most {0}", "höchstens {0}"};
 inline constexpr Phrase kBetween{"between {0} and {1}", "zwischen {0} und {1}"};
 
+// Numbers that are asked for.
+inline constexpr Phrase kAnswerWithANumber{"Answer with a number, to within {0}.",
+                                           "Antwort als Zahl, auf {0} genau."};
+inline constexpr Phrase kAnswerInUnit{"Answer in {0}, to within {1}.", "Antwort in {0}, auf {1} genau."};
+inline constexpr Phrase kUnitDegrees{"degrees", "Grad"};
+inline constexpr Phrase kUnitDegreesPerSecond{"degrees per second", "Grad pro Sekunde"};
+
 // Parts of decks.
 inline constexpr Phrase kStepsOf{"steps {0}–{1} of {2}", "Schritte {0}–{1} von {2}"};
 inline constexpr Phrase kStepOf{"step {0} of {1}", "Schritt {0} von {1}"};

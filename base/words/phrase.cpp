@@ -48,11 +48,17 @@ std::string with_decimals(std::string line, Language language) {
     while (rest.starts_with(' ')) rest.remove_prefix(1);
     return !rest.empty() && (is_digit(rest.front()) || rest.front() == '-' || rest.starts_with("−"));
   };
+  const auto is_decimal = [&](std::size_t i) {
+    return line[i] == '.' && i > 0 && is_digit(line[i - 1]) && i + 1 < line.size() && is_digit(line[i + 1]);
+  };
+  bool has_decimals = false;
+  for (std::size_t i = 0; i < line.size(); ++i) has_decimals = has_decimals || is_decimal(i);
+  if (!has_decimals) return line;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
     if (c == '$') is_formula = !is_formula;
     const bool is_behind_digit = i > 0 && is_digit(line[i - 1]);
-    if (c == '.' && is_behind_digit && i + 1 < line.size() && is_digit(line[i + 1]))
+    if (is_decimal(i))
       text += is_formula ? "{,}" : ",";
     else if (c == ',' && is_behind_digit && begins_number(std::string_view(line).substr(i + 1)))
       text += ';';

@@ -2,6 +2,7 @@
 #include "lessons/reader/questions/number_question.h"
 
 #include "base/numbers.h"
+#include "base/words/page_words.h"
 #include "lessons/claims/motion_words.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "lessons/reader/front_matter/keys.h"
@@ -122,11 +123,14 @@ std::optional<NumberAnswer> read_number_answer(const TomlTable& keys, TextReader
 
 std::string words_of_what_is_asked(const NumberAnswer& answer) {
   const std::string& unit = answer.unit;
-  const std::string words = is_degrees(unit)                   ? "degrees"
-                            : unit == "deg/s" || unit == "°/s" ? "degrees per second"
-                                                               : unit;
-  return "Answer " + (unit.empty() ? "with a number" : "in " + words) + ", to within " + answer.within_text +
-         '.';
+  const Language language = answer.language;
+  const std::string within = with_decimals(answer.within_text, language);
+  if (unit.empty()) return words::kAnswerWithANumber.with(language, {within});
+  const std::string_view named = is_degrees(unit) ? words::kUnitDegrees.in(language)
+                                 : unit == "deg/s" || unit == "°/s"
+                                     ? words::kUnitDegreesPerSecond.in(language)
+                                     : std::string_view(unit);
+  return words::kAnswerInUnit.with(language, {named, within});
 }
 
 std::optional<SourcePlace> compute_answers(Lesson& lesson, const Effort& effort) {

@@ -421,6 +421,11 @@ void MathParser::read_options(const std::vector<Option>& options, bool has_digit
 
 namespace {
 
+/// {,}: the decimal comma of a line that is to be set (with_decimals).
+bool is_comma_in_braces(const MathNode& node) {
+  return node.kind == MathNode::Kind::row && node.children.size() == 1 && node.children[0].character == U',';
+}
+
 /// "-0.75", "2.25e4" of what is typed as −0.75, or 2.25\cdot10^{4}; thin spaces may part its digits.
 std::optional<std::string> typed_number(const MathNode& node) {
   const MathNode& inner = without_groups(node);
@@ -438,7 +443,7 @@ std::optional<std::string> typed_number(const MathNode& node) {
     } else if (U'0' <= c && c <= U'9') {
       text += static_cast<char>(c);
       has_digits = true;
-    } else if (c == U'.' && !has_point) {
+    } else if ((c == U'.' || is_comma_in_braces(atom)) && !has_point) {
       text += '.';
       has_point = true;
     } else if ((c == U'⋅' || c == U'×') && has_digits && i + 3 == atoms.size() &&

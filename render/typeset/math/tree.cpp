@@ -64,18 +64,23 @@ bool begins_number(const std::vector<MathNode>& atoms, std::size_t i) {
   return i < atoms.size() && (is_digit(without_scripts(atoms[i])) || atoms[i].character == U'−');
 }
 
-/// Numbers of a list stand between semicolons then: (0,5; 1; 2).
+/// Numbers of a list with decimals stand between semicolons then: (0,5; 1; 2).
 void put_decimal_commas(MathNode& node) {
+  const auto is_decimal = [&](std::size_t i) {
+    return i > 0 && i + 1 < node.children.size() && node.children[i].character == U'.' &&
+           is_digit(without_scripts(node.children[i - 1])) && is_digit(without_scripts(node.children[i + 1]));
+  };
+  bool has_decimals = false;
+  for (std::size_t i = 0; i < node.children.size(); ++i) has_decimals = has_decimals || is_decimal(i);
   for (std::size_t i = 0; i < node.children.size(); ++i) {
     MathNode& child = node.children[i];
     put_decimal_commas(child);
-    const bool is_behind_digit =
-        child.kind == Kind::symbol && i > 0 && is_digit(without_scripts(node.children[i - 1]));
-    if (!is_behind_digit || i + 1 == node.children.size()) continue;
-    if (child.character == U'.' && is_digit(without_scripts(node.children[i + 1]))) {
+    if (is_decimal(i)) {
       child.character = U',';
       child.atom = MathClass::ordinary;
-    } else if (child.character == U',' && begins_number(node.children, i + 1)) {
+    } else if (has_decimals && child.kind == Kind::symbol && child.character == U',' &&
+               child.atom == MathClass::punctuation && i > 0 &&
+               is_digit(without_scripts(node.children[i - 1])) && begins_number(node.children, i + 1)) {
       child.character = U';';
     }
   }
