@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The lessons of the repository are right.
+#include "lessons/reader/checks/translation_check.h"
 #include "tests/lessons/support.h"
 
 #include <gmock/gmock.h>
@@ -18,9 +19,28 @@ TEST(LessonFiles, AreReadWithoutErrors) {
       EXPECT_NE(diagnostic.severity, Severity::error) << to_string(diagnostic);
     }
     ASSERT_TRUE(reading.lesson) << path;
-    EXPECT_EQ(reading.lesson->id, path.stem().string()) << "a lesson is found by its file name";
+    EXPECT_EQ(reading.lesson->id, path.stem().stem().string()) << "a lesson is found by its file name";
+    const Language language = reading.lesson->about.language;
+    EXPECT_EQ(path.stem().extension().string(),
+              language == Language::en ? "" : '.' + std::string(tag_of(language)))
+        << "and by its language";
   }
   EXPECT_GE(lessons, 1);
+}
+
+TEST(LessonFiles, TranslationsDifferFromTheirOriginalsInWordsAlone) {
+  int translations = 0;
+  for (const auto& path : testing::files_in(test::source_dir() / "lessons", ".md")) {
+    const std::string original = original_of(path.string());
+    if (original.empty()) continue;
+    ++translations;
+    const LessonReading here = read_lesson(testing::read_file(path), path.filename().string());
+    const LessonReading there = read_lesson(testing::read_file(original), original);
+    ASSERT_TRUE(here.lesson && there.lesson) << path;
+    EXPECT_THAT(testing::lines_of(check_translation(*here.lesson, "", *there.lesson, "original")),
+                ::testing::IsEmpty());
+  }
+  EXPECT_GE(translations, 1);
 }
 
 TEST(LessonFiles, TheReferenceNamesEveryOverlayAndMethod) {

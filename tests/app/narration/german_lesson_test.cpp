@@ -18,7 +18,7 @@
 #include <set>
 #include <sstream>
 
-#include "support/paths.h"
+#include "tests/support/paths.h"
 
 namespace polhode {
 namespace {

@@ -2,7 +2,7 @@
 #include "lessons/reader/checks/translation_check.h"
 
 #include "lessons/reader/checks/lesson_check.h"
-#include "lessons/support.h"
+#include "tests/lessons/support.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
