@@ -73,7 +73,7 @@ Color paint_on_dark(const Color& paint) {
 
 Color family_color(double s) {
   constexpr std::array<Color, 5> kStops = {kBodyAxisRoles[0].ink, color_from_hex(0x7F7CC4),
-                                           color_from_hex(0x8E9BAA), color_from_hex(0x4FA3B5),
+                                           color_from_hex(0x8592A0), color_from_hex(0x4B9BAC),
                                            color_from_hex(0x0A7486)};
   const double place = std::clamp(s, 0.0, 1.0) * static_cast<double>(kStops.size() - 1);
   const auto first = std::min(static_cast<std::size_t>(place), kStops.size() - 2);

@@ -22,7 +22,7 @@ inline constexpr Role kLRole{color_from_hex(0x005F99), color_from_hex(0x0072B2)}
 /// Of torques and forces, weight among them; their arrows are dotted.
 inline constexpr Role kNRole{color_from_hex(0x9C4A7C), color_from_hex(0xC0609C)};
 inline constexpr Role kPolhodeRole{color_from_hex(0x00734F), color_from_hex(0x009E73)};
-inline constexpr Role kHerpolhodeRole{color_from_hex(0x6B5B00), color_from_hex(0xB39700)};
+inline constexpr Role kHerpolhodeRole{color_from_hex(0x6B5B00), color_from_hex(0xAA8F00)};
 inline constexpr Role kTRole{color_from_hex(0x23262B),
                              color_from_hex(0x4A4F57)};  ///< scalars: the ink of text
 inline constexpr Role kAxesRole{color_from_hex(0x4A4F57), color_from_hex(0x8A9099)};

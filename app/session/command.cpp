@@ -34,6 +34,8 @@ void leave(LessonSession& session) {
     session.set_black(false);
   else if (session.panel != Panel::none)
     session.panel = Panel::none;
+  else if (session.is_enlarged())
+    session.set_enlarged(false);
   else if (session.is_presenting())
     session.set_presenting(false);
   else if (!session.lit().empty())
@@ -150,6 +152,8 @@ constexpr std::array kCommands = {
                  [](LessonSession& session) { zoom_camera(session, -1); }},
     CommandFacts{C::follow, "C", "Body", "the camera turns with the body", false,
                  [](LessonSession& session) { session.set_following(!session.is_following()); }},
+    CommandFacts{C::enlarge, "D", "Body", "the figure as large as the page, and back", false,
+                 [](LessonSession& session) { session.set_enlarged(!session.is_enlarged()); }},
     CommandFacts{C::ghost, "G", "Body", "the exact body beside the computed one", false,
                  [](LessonSession& session) { toggle_ghost(session); }},
     CommandFacts{C::larger_number, "]", "Body", "the number of the slider larger", true,
@@ -168,6 +172,8 @@ constexpr std::array kCommands = {
     CommandFacts{C::next_symbol, "Tab", "Understand", "next symbol", true},
     CommandFacts{C::previous_symbol, "Shift+Tab", "Understand", "previous symbol", true},
     CommandFacts{C::explain, "Enter", "Understand", "explain the symbol"},
+    CommandFacts{C::replay, "Y", "Understand", "how this step came out of the one before, again and slowly",
+                 false, [](LessonSession& session) { session.replay_step(); }},
     CommandFacts{C::scroll_down, "J", "Understand", "the text of a long stage: further down", true},
     CommandFacts{C::scroll_up, "K", "Understand", "and up again", true},
     CommandFacts{C::copy_step, "Ctrl+C", "Understand", "copy this step as text"},
@@ -261,6 +267,10 @@ std::string why_idle(const LessonSession& session, Command command) {
       return session.previous_place() ? "" : "This is the beginning.";
     case C::previous_stage:
       return session.place().step > 0 || session.stage_beside(-1) ? "" : "This is the beginning.";
+    case C::replay:
+      return session.preferences.reduced_motion ? "Nothing moves by itself: so it is chosen in View."
+             : session.place().step > 0         ? ""
+                                                : "This is the first step of its stage.";
     case C::next_flip:
       return session.flip_beside(1) ? "" : "No flip is shown behind this time.";
     case C::previous_flip:

@@ -104,6 +104,12 @@ void LessonSession::go_to(StepPlace place) {
   if (place != place_) arrive(place);
 }
 
+void LessonSession::replay_step() {
+  if (place_.step == 0) return;
+  transition_ = 0;
+  transition_s_ = kReplaySlowness * kMorphSeconds;
+}
+
 void LessonSession::begin_at(StepPlace place) {
   const std::string left = stage().id;
   go_to(place);
@@ -115,7 +121,9 @@ void LessonSession::arrive(StepPlace place) {
   const std::shared_ptr<const Scene> left = step().scene;
   keep_edits();
   transition_ = same_stage && place.step == place_.step + 1 && !preferences.reduced_motion ? 0 : 1;
+  transition_s_ = kMorphSeconds;
   place_ = place;
+  enlarged_ = false;
   visited_.insert(stage().id);
   judged_.clear();
   derivations_.clear();
@@ -292,7 +300,7 @@ void LessonSession::go_to_flip(int way) {
 
 void LessonSession::advance(double seconds) {
   if (!(seconds > 0)) return;
-  transition_ = preferences.reduced_motion ? 1 : std::min(1.0, transition_ + seconds / kMorphSeconds);
+  transition_ = preferences.reduced_motion ? 1 : std::min(1.0, transition_ + seconds / transition_s_);
   if (!playing_) return;
   double next_s = t_s_ + model_->rate * speed_ * seconds;
   if (awaited_ && next_s >= awaited_->to_s) return end_play();

@@ -51,6 +51,7 @@ inline constexpr double kSlowest = 1.0 / 16, kFastest = 16;
 inline constexpr double kFrameSeconds = 1.0 / 25;
 /// How long one line of a derivation takes to become the next, shown seconds.
 inline constexpr double kMorphSeconds = 0.7;
+inline constexpr double kReplaySlowness = 5;
 
 class LessonSession {
  public:
@@ -211,6 +212,9 @@ class LessonSession {
   Panel panel = Panel::none;
   Preferences preferences{};
   void change_text_scale(int steps);  ///< of kTextScaleFactor; a single one never goes past normal size
+  /// The figure and its plots as large as the page, without the text, until one leaves the step.
+  bool is_enlarged() const { return enlarged_ && has_scene(); }
+  void set_enlarged(bool enlarged) { enlarged_ = enlarged; }
   /// The page alone, for an audience.
   bool is_presenting() const { return presenting_; }
   void set_presenting(bool presenting);
@@ -240,6 +244,8 @@ class LessonSession {
   /// How far the page is on its way from the step before to this one, 0…1; 1: it is there. Only a step
   /// forward within a stage has a way.
   double transition() const { return preferences.reduced_motion ? 1 : transition_; }
+  /// That way once more, kReplaySlowness times as slowly; nothing on the first step of a stage.
+  void replay_step();
   /// Whether something changes by itself: playing, or a line on its way.
   bool is_moving() const;
 
@@ -263,7 +269,7 @@ class LessonSession {
   StepPlace place_{};
   std::set<std::string> visited_;
   std::set<std::string> visited_before_;  ///< as it was set
-  double t_s_ = 0, speed_ = 1, transition_ = 1;
+  double t_s_ = 0, speed_ = 1, transition_ = 1, transition_s_ = kMorphSeconds;
   double loop_ = 0;         ///< number of the loop that the time line shows
   double heading_rad_ = 0;  ///< of the body where the camera has the azimuth of the scene, while following
   bool playing_ = false, following_ = false;
@@ -301,6 +307,7 @@ class LessonSession {
   };
   std::optional<Awaited> awaited_;  ///< likewise
   bool presenting_ = false, has_speaker_ = false, black_ = false, frozen_ = false, pointing_ = false;
+  bool enlarged_ = false;
   std::set<std::string> left_out_;
 };
 

@@ -117,7 +117,9 @@ Scene edited(Scene scene, const SceneEdits& edits) {
 
 CameraSpec camera_beside(const CameraSpec& lesson_camera, const CameraSpec& own, const CameraSpec& shown) {
   CameraSpec turned = shown;
-  if (turned.fitted) turned.fitted->w0_B.reset();  // that is the other scene's
+  // Those are the other scene's.
+  if (turned.fitted) turned.fitted->w0_B.reset();
+  if (turned.fitted) turned.fitted->attitude.reset();
   const bool stands = turned.fitted && turned.fitted->azimuth_rad == turned.azimuth_rad &&
                       turned.fitted->elevation_rad == turned.elevation_rad;
   if (stands) turned.fitted.reset();
@@ -146,7 +148,7 @@ CameraSpec writable(const CameraSpec& camera) {
     const double elevation_deg =
         std::clamp(whole_parts_of_degree(from.elevation_rad), -kMostElevationDeg, kMostElevationDeg);
     return {std::remainder(azimuth_deg, 360.0) * kRadiansPerDegree, elevation_deg * kRadiansPerDegree,
-            from.w0_B};
+            from.w0_B, from.attitude ? std::optional(writable(*from.attitude)) : std::nullopt};
   };
   const CameraFit own = writable_angles({camera.azimuth_rad, camera.elevation_rad});
   CameraSpec made{own.azimuth_rad, own.elevation_rad,

@@ -67,18 +67,30 @@ GLFWmonitor* monitor_at(int x, int y) {
   return glfwGetPrimaryMonitor();
 }
 
-/// One that is unplugged by now shows nothing.
-bool is_on_a_monitor(const std::array<int, 2>& at) {
+/// The corner of what bars leave of the screen on which a window at this place is seen. Nothing: on one that
+/// is unplugged by now.
+std::optional<std::array<int, 2>> corner_around(const std::array<int, 2>& at) {
   constexpr int kSeen = 100;  // of its units at least
   int count = 0;
   GLFWmonitor** monitors = glfwGetMonitors(&count);
   for (int i = 0; i < count; ++i) {
     int left = 0, top = 0, width = 0, height = 0;
     glfwGetMonitorWorkarea(monitors[i], &left, &top, &width, &height);
-    if (at[0] >= left && at[1] >= top && at[0] + kSeen <= left + width && at[1] + kSeen <= top + height)
-      return true;
+    if (at[0] + kSeen > left && at[1] + kSeen > top && at[0] + kSeen <= left + width &&
+        at[1] + kSeen <= top + height)
+      return std::array{left, top};
   }
-  return false;
+  return std::nullopt;
+}
+
+/// As much of a frame as is told of a window that may not be seen yet.
+void put_back(GLFWwindow* window, const std::array<int, 2>& at) {
+  const auto corner = corner_around(at);
+  if (!corner) return;
+  std::array<int, 2> frame{0, 0};
+  glfwGetWindowFrameSize(window, &frame[0], &frame[1], nullptr, nullptr);
+  const auto [x, y] = with_frame_seen(at, *corner, frame);
+  glfwSetWindowPos(window, x, y);
 }
 
 }  // namespace
@@ -114,8 +126,7 @@ Result<std::unique_ptr<Display>> Display::open(const Fonts& fonts, const WindowP
   if (const Status opened = display->open_with_opengl(fonts, place.size); !opened)
     if (const Status fallen = display->fall_back(fonts, opened.error(), place.size); !fallen)
       return failure(fallen.error());
-  if (place.at && is_on_a_monitor(*place.at))
-    glfwSetWindowPos(display->window(), (*place.at)[0], (*place.at)[1]);
+  if (place.at) put_back(display->window(), *place.at);
   return display;
 }
 

@@ -144,10 +144,13 @@ struct Beginning {
   SceneModel model;  ///< no motion, no curves
   RigidBodyState state;
 };
-Beginning beginning_of(const Scene& scene, const Vec3& w0_B) {
+/// `fitted` has an ω.
+Beginning beginning_of(const Scene& scene, const CameraFit& fitted) {
+  const Vec3& w0_B = *fitted.w0_B;
   Beginning made;
   made.model.scene = scene;
   made.model.scene.w0_B = w0_B;
+  if (fitted.attitude) made.model.scene.attitude = fitted.attitude;
   made.model.drawn = drawn_overlays(made.model.scene);
   made.model.needs = requirements(made.model.scene);
   made.state = {problem_of(made.model.scene).start.q_SB, w0_B};
@@ -160,7 +163,7 @@ builders::Extents held_extents(const Snapshot& m) {
   if (m.model.framed && !m.turn) return held_extents(builders::snapshot_at(*m.model.framed, 0.0, m.view));
   const std::optional<CameraFit>& fitted = m.model.scene.camera.fitted;
   if (fitted && fitted->w0_B && !m.turn && !frame_needs_motion(m.model.scene)) {
-    const Beginning then = beginning_of(m.model.scene, *fitted->w0_B);
+    const Beginning then = beginning_of(m.model.scene, *fitted);
     return builders::extents_of(builders::snapshot_in(then.model, 0.0, m.view, then.state));
   }
   return m.model.scene.camera.holds_still && !m.turn ? extents_of_still(m) : builders::extents_of(m);
@@ -298,7 +301,10 @@ std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::
 CameraSpec held_by_hand(const Scene& scene) {
   CameraSpec camera = scene.camera;
   if (!camera.fitted) camera.fitted = CameraFit{camera.azimuth_rad, camera.elevation_rad};
-  if (!camera.fitted->w0_B) camera.fitted->w0_B = scene.w0_B;
+  if (!camera.fitted->w0_B) {
+    camera.fitted->w0_B = scene.w0_B;
+    camera.fitted->attitude = attitude_spec(scene);
+  }
   return camera;
 }
 
@@ -311,23 +317,25 @@ TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
   trial_.drawn = drawn_overlays(trial_.scene);
   trial_.needs = requirements(trial_.scene);
   if (pane >= trial_.scene.views.size()) return;
-  const Vec3& kept_B = *trial_.scene.camera.fitted->w0_B;
+  const CameraFit fitted = *trial_.scene.camera.fitted;
   const bool is_zoomed_alike = trial_.scene.camera.zoom == model.scene.camera.zoom;
   const double least_half_height = is_zoomed_alike ? common_half_height(model, aspect) : 0.0;
   const auto frame_of = [&](const Snapshot& held) {
     return camera_for(held, aspect / static_cast<double>(trial_.scene.views.size()), least_half_height);
   };
   if (frame_needs_motion(trial_.scene)) {
-    trial_.scene.w0_B = kept_B;
     trial_.scene.beside.clear();
+    Scene begun = trial_.scene;
+    begun.w0_B = *fitted.w0_B;
+    if (fitted.attitude) begun.attitude = fitted.attitude;
     try {
-      const SceneModel held = make_model(trial_.scene);
+      const SceneModel held = make_model(begun);
       camera_ = frame_of(builders::snapshot_at(held, 0.0, trial_.scene.views[pane]));
     } catch (const std::domain_error&) {  // no motion begins with the ω that a file says it is kept from
       camera_ = frame_of(builders::snapshot_at(model, 0.0, trial_.scene.views[pane]));
     }
   } else {
-    const Beginning held = beginning_of(trial_.scene, kept_B);
+    const Beginning held = beginning_of(trial_.scene, fitted);
     camera_ = frame_of(builders::snapshot_in(held.model, 0.0, trial_.scene.views[pane], held.state));
   }
 }

@@ -63,7 +63,7 @@ TEST(Palette, BlackIsLightOnDarkGround) {
 }
 
 TEST(Palette, PaintsAreSeenOnPaper) {
-  for (const Color& paint : paints()) EXPECT_GE(contrast(paint, kPaper), 2.7);
+  for (const Color& paint : paints()) EXPECT_GE(contrast(paint, kPaper), 3.0);
 }
 
 TEST(Palette, FamilyColorsDifferFromOneSideToTheOther) {

@@ -30,6 +30,18 @@ bool answer_by_key(LessonSession& session, std::string_view key) {
   return true;
 }
 
+std::string why_no_choice(const LessonSession& session, std::string_view key) {
+  if (key.size() != 1 || asked_by_letter(session) != nullptr) return {};
+  const char c = key.front();
+  const auto choice = static_cast<std::size_t>(c >= 'A' ? c - 'A' : c - '1');
+  const bool is_choice = (c >= 'A' && c <= 'Z') || (c >= '1' && c <= '9');
+  const Ask* closed = nullptr;
+  for (const Ask* ask : session.questions())
+    if (is_choice && picks_choice(ask->type) && choice < ask->choices.size()) closed = ask;
+  if (closed == nullptr) return {};
+  return session.is_awaited(*closed) ? "The motion answers first." : "This question is answered already.";
+}
+
 namespace {
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }

@@ -4,16 +4,21 @@
 
 #include "app/session/lesson_session.h"
 
+#include <string>
 #include <string_view>
 
 namespace polhode {
 
 /// The question of this step that letters answer: the first for one choice that was not answered right since
-/// the place was reached; null: there is none, and every key is a command.
+/// the place was reached; null: there is none.
 const Ask* asked_by_letter(const LessonSession& session);
 
 /// Answers that question if the key, "B" or "2", is one of its choices; false, with nothing changed, if not.
 bool answer_by_key(LessonSession& session, std::string_view key);
+
+/// Why such a key picks nothing, in a sentence to be told: no question of the step that has this choice is
+/// open any more. Empty: it is no letter of a choice, or one that is open has it.
+std::string why_no_choice(const LessonSession& session, std::string_view key);
 
 /// Whether the step asks what will happen, and nobody has said so yet, or been told.
 bool has_open_prediction(const LessonSession& session);

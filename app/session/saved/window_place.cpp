@@ -27,6 +27,12 @@ StateFileResult<WindowPlace> read_window_place(const std::filesystem::path& fold
   return warning->empty() ? place : WindowPlace{};
 }
 
+std::array<int, 2> with_frame_seen(std::array<int, 2> at, std::array<int, 2> corner,
+                                   std::array<int, 2> frame) {
+  for (std::size_t i = 0; i < at.size(); ++i) at[i] = std::max(at[i], corner[i] + frame[i]);
+  return at;
+}
+
 StateFileResult<std::monostate> write_window_place(const std::filesystem::path& folder,
                                                    const WindowPlace& place) {
   nlohmann::ordered_json json = {{"width", place.size.width}, {"height", place.size.height}};

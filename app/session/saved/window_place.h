@@ -24,4 +24,9 @@ StateFileResult<WindowPlace> read_window_place(const std::filesystem::path& fold
 StateFileResult<std::monostate> write_window_place(const std::filesystem::path& folder,
                                                    const WindowPlace& place);
 
+/// Where a window is put back that stood at `at` without its frame, on a screen whose bars leave it from
+/// `corner` on: its title bar, `frame` to the left and above, is on the screen, so that it can be moved.
+std::array<int, 2> with_frame_seen(std::array<int, 2> at, std::array<int, 2> corner,
+                                   std::array<int, 2> frame);
+
 }  // namespace polhode

@@ -113,11 +113,13 @@ void set_control_style(Theme theme, const ControlSizes& sizes) {
   const bool dark = theme == Theme::dark;
   const ImVec4 ground = shade(between(page.paper, page.ink, dark ? 0.05F : 0.045F));
   const ImVec4 raised = dark ? shade(between(page.paper, page.ink, 0.13F)) : ImVec4{1, 1, 1, 1};
-  const ImVec4 hovered = shade(between(page.paper, page.ink, dark ? 0.2F : 0.09F));
-  const ImVec4 pressed = shade(between(page.paper, page.ink, dark ? 0.28F : 0.16F));
+  // So near to what is at rest that words of all colours can be read on them; what is held sinks in.
+  const ImVec4 hovered = shade(between(page.paper, page.ink, dark ? 0.16F : 0.075F));
+  const ImVec4 pressed = shade(between(page.paper, page.ink, dark ? 0.09F : 0.11F));
+  const ImVec4 pointed_row = shade(between(page.paper, page.ink, dark ? 0.11F : 0.075F));
   const ImVec4 line = shade(between(page.paper, page.ink, 0.24F));
   // What says where a control is, or how far: 3:1 (WCAG 2.2, 1.4.11).
-  const ImVec4 outline = shade(between(page.paper, page.ink, dark ? 0.5F : 0.54F));
+  const ImVec4 outline = shade(between(page.paper, page.ink, dark ? 0.56F : 0.61F));
   const ImVec4 focus = shade(page.question);
   ImVec4* const c = style.Colors;
   c[ImGuiCol_Text] = shade(page.ink);
@@ -131,12 +133,11 @@ void set_control_style(Theme theme, const ControlSizes& sizes) {
   c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = hovered;
   c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = pressed;
   c[ImGuiCol_CheckMark] = focus;
-  // The number of a slider stands on its grab.
-  c[ImGuiCol_SliderGrab] = shade(page.question, 0.68F);
-  c[ImGuiCol_SliderGrabActive] = shade(page.accent, 0.76F);
-  c[ImGuiCol_Header] = shade(between(page.paper, page.question, 0.18F));
-  c[ImGuiCol_HeaderHovered] = hovered;
-  c[ImGuiCol_HeaderActive] = pressed;
+  // No number stands on a slider's grab (number_slider).
+  c[ImGuiCol_SliderGrab] = focus;
+  c[ImGuiCol_SliderGrabActive] = shade(page.accent);
+  c[ImGuiCol_Header] = shade(between(page.paper, page.question, 0.14F));
+  c[ImGuiCol_HeaderHovered] = c[ImGuiCol_HeaderActive] = pointed_row;
   c[ImGuiCol_Separator] = c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = line;
   c[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
   c[ImGuiCol_ScrollbarGrab] = outline;

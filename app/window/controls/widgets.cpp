@@ -126,10 +126,29 @@ bool icon_button(const char* id, Icon icon, const char* words, const std::string
 }
 
 bool toggle_button(const char* words, bool is_on, const std::string& tooltip) {
-  if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
-  const bool pressed = ImGui::Button(words);
-  if (is_on) ImGui::PopStyleColor();
+  const bool pressed = button_of_state(words, is_on, 0);
   tooltip_of_last(tooltip);
+  return pressed;
+}
+
+bool button_of_state(const char* words, bool is_on, float width) {
+  if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
+  const bool pressed = ImGui::Button(words, {width, 0});
+  if (is_on) ImGui::PopStyleColor();
+  // Its ground alone would be too faint to tell it by.
+  if (is_on)
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                        color_of(ImGuiCol_CheckMark), ImGui::GetStyle().FrameRounding, 0,
+                                        std::max(2.0F, std::round(0.12F * ImGui::GetFontSize())));
+  return pressed;
+}
+
+bool choice_row(const char* words, bool is_on, int flags) {
+  const bool pressed = ImGui::Selectable(words, is_on, flags);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float width = std::max(2.0F, std::round(0.2F * ImGui::GetFontSize()));
+  if (is_on)
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, high.y}, color_of(ImGuiCol_CheckMark));
   return pressed;
 }
 

@@ -27,8 +27,12 @@ void type_at_end();
 /// With words beside the icon, or without; a tooltip says what it does and by which key.
 bool icon_button(const char* id, Icon icon, const char* words, const std::string& tooltip, float width);
 
-/// A button that stays down while what it stands for is on.
+/// A button that stays down, in a frame, while what it stands for is on.
 bool toggle_button(const char* words, bool is_on, const std::string& tooltip);
+/// The same without a tooltip; width 0: as its words need.
+bool button_of_state(const char* words, bool is_on, float width);
+/// One of a list, with a bar before the one that is chosen. `flags` are of ImGuiSelectableFlags.
+bool choice_row(const char* words, bool is_on, int flags = 0);
 
 /// One of several. Its circle is ours: that of Dear ImGui has other corners in every version.
 bool radio_button(const char* words, bool is_on);

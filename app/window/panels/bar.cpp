@@ -57,8 +57,7 @@ void draw_speed(LessonSession& session, float width) {
     if (real > kSlowest && real < kFastest) speeds.push_back(real);
     std::sort(speeds.begin(), speeds.end());
     for (const double speed : speeds)
-      if (ImGui::Selectable(speed_text(rate, speed).c_str(), speed == session.speed()))
-        session.set_speed(speed);
+      if (choice_row(speed_text(rate, speed).c_str(), speed == session.speed())) session.set_speed(speed);
     ImGui::EndCombo();
   }
   tooltip_of_last("Speed. " + told(Command::faster) + "; " + told(Command::slower));

@@ -36,14 +36,14 @@ void choose_body(PanelContext& context, const Scene& scene) {
   SceneEdits edits = context.session.edits();
   const std::string lessons =
       find_body(of_lesson) ? of_lesson + " (the lesson's)" : std::string("the lesson's");
-  if (ImGui::Selectable(lessons.c_str(), !edits.body)) {
+  if (choice_row(lessons.c_str(), !edits.body)) {
     edits.body.reset();
     choose_omega(edits, scene, context.session.lesson_scene());
     context.requests.edits = edits;
   }
   for (const std::string& name : named_bodies()) {
     if (name == of_lesson) continue;
-    if (!ImGui::Selectable(name.c_str(), edits.body && scene.body.name == name)) continue;
+    if (!choice_row(name.c_str(), edits.body && scene.body.name == name)) continue;
     edits.body = find_body(name);
     choose_omega(edits, scene, context.session.lesson_scene());
     context.requests.edits = edits;

@@ -14,6 +14,12 @@ namespace polhode {
 
 namespace {
 
+/// Whoever has done nothing yet but open the lesson has not begun it.
+bool is_begun(const LessonSession& session) {
+  return session.visited().size() > 1 || session.place() != StepPlace{} || !session.answers().empty() ||
+         !session.edits().empty();
+}
+
 /// A learner's own numbers are those of the moment, not those of when the list was made.
 LessonProgress as_it_is(const LessonProgress& listed, const LessonSession& session) {
   LessonProgress now = listed;
@@ -21,6 +27,7 @@ LessonProgress as_it_is(const LessonProgress& listed, const LessonSession& sessi
   now.seen = session.visited().size();
   now.questions = progress_of(session.lesson(), session.answers()).all;
   now.at = session.place().stage + 1;
+  if (!is_begun(session)) now.seen = now.at = 0;
   return now;
 }
 
@@ -57,7 +64,7 @@ void lesson_row(PanelContext& context, const LessonProgress& lesson, std::size_t
   }
   if (here && context.session.next_place())
     ImGui::SetItemDefaultFocus();  // at the end the next lesson has it
-  if (here) {
+  if (here && lesson.at != 0) {
     ImGui::SameLine();
     ImGui::TextDisabled("you are here");
   }
@@ -78,8 +85,8 @@ void draw_home(PanelContext& context) {
   ImGui::TableNextRow();
   ImGui::TableSetColumnIndex(1);
   const bool is_end = !session.next_place();
-  const bool is_new = session.visited().size() <= 1 && session.answers().empty();
-  if (is_new) quiet_words("Tab goes from lesson to lesson, Enter opens one, Escape closes this list.");
+  if (!is_begun(session))
+    quiet_words("Tab goes from lesson to lesson, Enter opens one, Escape closes this list.");
   if (is_end) draw_summary(context);
   for (std::size_t i = 0; i < context.lessons.size(); ++i)
     lesson_row(context, as_it_is(context.lessons[i], session), i + 1);

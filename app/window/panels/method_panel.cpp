@@ -56,7 +56,7 @@ void choose_method(PanelContext& context, const SceneModel& model) {
   for (const MethodFacts& facts : all_methods()) {
     const auto reason = why_not(facts.method, problem);
     const auto flags = reason ? ImGuiSelectableFlags_Disabled : ImGuiSelectableFlags_None;
-    if (ImGui::Selectable(std::string(facts.name).c_str(), facts.method == present, flags)) {
+    if (choice_row(std::string(facts.name).c_str(), facts.method == present, flags)) {
       MotionSpec motion{
           .method = facts.method, .step_s = {}, .tolerance = {}, .ghost = model.scene.motion.ghost};
       if (facts.control == StepControl::fixed)

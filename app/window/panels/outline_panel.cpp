@@ -77,11 +77,8 @@ void step_row(PanelContext& context) {
       ImGui::SameLine(0, 0.25F * em);
     else
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left);
-    const bool here = i == session.place().step;
-    if (here) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
-    if (ImGui::Button(fmt::format("{}##step", i + 1).c_str(), {width, 0}))
+    if (button_of_state(fmt::format("{}##step", i + 1).c_str(), i == session.place().step, width))
       session.go_to({session.place().stage, i});
-    if (here) ImGui::PopStyleColor();
   }
 }
 

@@ -19,8 +19,8 @@ void choose_size(SaveOptions& options) {
   ImGui::SetNextItemWidth(-1);
   if (!ImGui::BeginCombo("##size", text_of(options.size).c_str())) return;
   for (const NamedSize& named : named_sizes())
-    if (ImGui::Selectable(fmt::format("{}  ({})", text_of(named.size), named.name).c_str(),
-                          named.size == options.size))
+    if (choice_row(fmt::format("{}  ({})", text_of(named.size), named.name).c_str(),
+                   named.size == options.size))
       options.size = named.size;
   ImGui::EndCombo();
 }

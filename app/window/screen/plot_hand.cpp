@@ -43,7 +43,7 @@ void draw_reading(const PlotReading& plot, double at_px, const ControlSizes& siz
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float em = sizes.em, x = std::floor(static_cast<float>(plot.x_px[i])) + 0.5F;
   list.AddLine({x, static_cast<float>(plot.frame.y0)}, {x, static_cast<float>(plot.frame.y1)},
-               ImGui::GetColorU32(ImGuiCol_Text, 0.45F), std::max(1.0F, 0.08F * em));
+               ImGui::GetColorU32(ImGuiCol_Text, 0.55F), std::max(1.0F, 0.08F * em));
   struct Value {
     std::string words;
     float y = 0;

@@ -183,7 +183,7 @@ void ScreenOfSpeaker::draw_outline(LessonSession& session, const Region& region)
     const bool is_here = i == session.place().stage, is_passed = session.passes_over(i);
     if (is_passed) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     const char* note = is_passed ? "   (passed over)" : "";
-    if (ImGui::Selectable(fmt::format("{}   {}{}##{}", i + 1, title, note, i).c_str(), is_here))
+    if (choice_row(fmt::format("{}   {}{}##{}", i + 1, title, note, i).c_str(), is_here))
       session.go_to({i, 0});
     if (is_passed) ImGui::PopStyleColor();
     if (!is_here || outlined_ == session.place()) continue;
@@ -271,6 +271,13 @@ Status ScreenOfSpeaker::draw(LessonSession& session, const ScreenFrame& frame) {
     label(areas.page, "Before you alone: the audience still sees what it saw", ImGuiCol_NavHighlight);
   else
     label(areas.page, "Before the audience", ImGuiCol_Text);
+  // What is not what the audience sees has a frame that one cannot overlook.
+  if (session.is_frozen() || session.is_black()) {
+    const float width = std::max(3.0F, std::round(0.3F * sizes_->em)), half = 0.5F * width;
+    const Region at = fitted(areas.page, audience_.picture().size());
+    list.AddRect({at.x - half, at.y - half}, {at.x + at.width + half, at.y + at.height + half},
+                 ImGui::GetColorU32(ImGuiCol_NavHighlight), 0, 0, width);
+  }
   label(areas.next, session.next_place() ? "Next" : "This is the last step", ImGuiCol_Text);
   draw_notes(session, areas.notes);
   draw_outline(session, areas.outline);

@@ -29,7 +29,7 @@ TwoPlaces two_places(const DesktopBox& screen, const DesktopBox& first, Size lea
   };
   if (half.width >= least.width)
     return {within(screen.x, screen.y, {half.width, room.height}),
-            {screen.x + half.width, screen.y, {half.width, std::min(height, room.height)}}};
+            {screen.x + half.width, screen.y, {half.width, room.height}}};
   if (half.height >= least.height)
     return {within(screen.x, screen.y, {room.width, half.height}),
             {screen.x, screen.y + half.height, {std::min(width, room.width), half.height}}};

@@ -20,7 +20,8 @@ struct TwoPlaces {
 
 /// `screen`: what bars leave of it. `first`: the window that there is, which stays as it is if the screen has
 /// room beside or below it for a second one as large. Else each takes a half of the screen, if that is no
-/// smaller than `least`; else they stand in opposite corners, and some of each is seen.
+/// smaller than `least`, the second from its top to its bottom; else they stand in opposite corners, and some
+/// of each is seen.
 TwoPlaces two_places(const DesktopBox& screen, const DesktopBox& first, Size least);
 
 }  // namespace polhode

@@ -3,9 +3,11 @@
 
 #include "base/angles.h"
 #include "base/spelling.h"
+#include "lessons/reader/scene/scene_keys.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace polhode {
@@ -42,7 +44,8 @@ void read_fitted(const TomlEntry& entry, CameraSpec& camera, Report& report) {
   read_keys(*table, "the fitted camera",
             {{"azimuth_deg", [&](const TomlEntry& e) { read_azimuth(e, fit.azimuth_rad, report); }},
              {"elevation_deg", [&](const TomlEntry& e) { read_elevation(e, fit.elevation_rad, report); }},
-             {"omega", [&](const TomlEntry& e) { fit.w0_B = read_vector(e, report); }}},
+             {"omega", [&](const TomlEntry& e) { fit.w0_B = read_vector(e, report); }},
+             {"attitude", [&](const TomlEntry& e) { fit.attitude = read_attitude(e, report); }}},
             report);
   camera.fitted = fit;
 }
@@ -57,6 +60,20 @@ std::optional<double> read_scale(const TomlEntry& entry, Report& report) {
 }
 
 }  // namespace
+
+std::optional<AttitudeSpec> read_attitude(const TomlEntry& entry, Report& report) {
+  if (const auto* name = entry.value.as<std::string>()) {
+    if (*name == "L-down") return LPoints::down;
+    if (*name == "L-up") return LPoints::up;
+    report_unknown("attitude", {*name, entry.value.place}, {"L-down", "L-up", "[w, x, y, z]"}, report);
+    return std::nullopt;
+  }
+  const auto wxyz = read_numbers(entry, 4, report);
+  if (!wxyz) return std::nullopt;
+  if (std::any_of(wxyz->begin(), wxyz->end(), [](double x) { return x != 0; })) return attitude_from(*wxyz);
+  report.error(entry.value.place, "the quaternion of an attitude must not be zero");
+  return std::nullopt;
+}
 
 std::optional<CameraSpec> read_camera(const TomlEntry& entry, Report& report) {
   const TomlTable* table = read_table(entry, "camera = { azimuth_deg = 35, elevation_deg = 20 }", report);

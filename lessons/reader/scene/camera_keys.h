@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The key `camera` of a scene.
+// The keys `camera` and `attitude` of a scene.
 #pragma once
 
 #include "lessons/reader/front_matter/keys.h"
@@ -11,5 +11,8 @@ namespace polhode {
 
 /// Angles in degrees. Nothing, and a report: it is no table.
 std::optional<CameraSpec> read_camera(const TomlEntry& entry, Report& report);
+
+/// "L-down", "L-up" or a quaternion. Nothing, and a report: it is none of them.
+std::optional<AttitudeSpec> read_attitude(const TomlEntry& entry, Report& report);
 
 }  // namespace polhode

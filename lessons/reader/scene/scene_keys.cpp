@@ -127,21 +127,7 @@ class SceneKeys {
   }
 
   void attitude(const TomlEntry& entry) {
-    if (const auto* name = entry.value.as<std::string>()) {
-      if (*name == "L-down")
-        scene_.attitude = LPoints::down;
-      else if (*name == "L-up")
-        scene_.attitude = LPoints::up;
-      else
-        report_unknown("attitude", {*name, entry.value.place}, {"L-down", "L-up", "[w, x, y, z]"}, report_);
-      return;
-    }
-    const auto wxyz = read_numbers(entry, 4, report_);
-    if (!wxyz) return;
-    if (std::all_of(wxyz->begin(), wxyz->end(), [](double x) { return x == 0; }))
-      report_.error(entry.value.place, "the quaternion of an attitude must not be zero");
-    else
-      scene_.attitude = attitude_from(*wxyz);
+    if (const auto read = read_attitude(entry, report_)) scene_.attitude = read;
   }
 
   void start(const TomlEntry& entry) { lesson_scene_.start = read_top_start(entry, report_); }
@@ -593,9 +579,11 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
             " from x towards y (1 towards 2 where the body is at rest) and so far above, and what the scene"
             " shows over its whole film fills the picture, or with `hold = \"still\"` what the still shows;"
             " the larger the distance (from 1.3), the less what is near looks larger; zoom makes all larger"
-            " than that; `{{}}` is the default again; `fitted = {{ azimuth_deg, elevation_deg, omega }}` "
+            " than that; `{{}}` is the default again; `fitted = {{ azimuth_deg, elevation_deg, omega, "
+            "attitude }}` "
             "keeps the frame that fills the"
-            " picture from there, of the scene that begins with that ω; elevation −{0} to {0}, distance and"
+            " picture from there, of the scene that begins with that ω and attitude; elevation −{0} to {0}, "
+            "distance and"
             " zoom {1} to {2}",
             kMostElevationDeg, kLeastCameraScale, kMostCameraScale),
         "34.4°, 20°, 4.2, 1"},

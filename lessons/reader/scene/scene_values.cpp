@@ -143,9 +143,10 @@ std::string text_of(const CameraSpec& camera) {
                   toml(camera.distance), toml(camera.zoom));
   if (camera.holds_still) text += ", hold = \"still\"";
   if (camera.fitted)
-    text +=
-        fmt::format(", fitted = {{ {}{} }}", angles(camera.fitted->azimuth_rad, camera.fitted->elevation_rad),
-                    camera.fitted->w0_B ? ", omega = " + toml(*camera.fitted->w0_B) : std::string());
+    text += fmt::format(
+        ", fitted = {{ {}{}{} }}", angles(camera.fitted->azimuth_rad, camera.fitted->elevation_rad),
+        camera.fitted->w0_B ? ", omega = " + toml(*camera.fitted->w0_B) : std::string(),
+        camera.fitted->attitude ? ", attitude = " + text_of(*camera.fitted->attitude) : std::string());
   return text + " }";
 }
 

@@ -36,11 +36,13 @@ struct MotionSpec {
   bool operator==(const MotionSpec&) const = default;
 };
 
-/// Where a camera stood, and with which ω the scene began, when the picture was fitted to it. A hand that
-/// then turns the camera, or takes ω, leaves the scale as it was fitted.
+/// Where a camera stood, and with which ω and attitude the scene began, when the picture was fitted to it. A
+/// hand that then turns the camera, or takes ω, leaves the scale and what is in the middle as they were
+/// fitted.
 struct CameraFit {
   double azimuth_rad = 0, elevation_rad = 0;
-  std::optional<Vec3> w0_B = {};  ///< absent: that of the scene
+  std::optional<Vec3> w0_B = {};              ///< absent: that of the scene
+  std::optional<AttitudeSpec> attitude = {};  ///< likewise
   bool operator==(const CameraFit&) const = default;
 };
 

@@ -160,10 +160,11 @@ void compute_parts(SceneModel& model, const Effort& effort, double chord_toleran
 std::unique_ptr<const SceneModel> framed_model(const Scene& scene, const Effort& effort,
                                                double chord_tolerance) {
   const std::optional<CameraFit>& fitted = scene.camera.fitted;
-  const bool is_kept = fitted && fitted->w0_B && *fitted->w0_B != scene.w0_B && frame_needs_motion(scene);
-  if (!is_kept) return nullptr;
+  if (!fitted || !fitted->w0_B || !frame_needs_motion(scene)) return nullptr;
   Scene before = scene;
   before.w0_B = *fitted->w0_B;
+  if (fitted->attitude) before.attitude = fitted->attitude;
+  if (before.w0_B == scene.w0_B && attitude_spec(before) == attitude_spec(scene)) return nullptr;
   before.beside.clear();
   try {
     return std::make_unique<const SceneModel>(make_model(before, ModelFor::figure, effort, chord_tolerance));

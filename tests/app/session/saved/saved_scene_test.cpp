@@ -176,6 +176,7 @@ class Hand {
       edits.camera = CameraSpec{number(), 0.5 * number(), 4 + number(), 2 + 0.5 * number()};
       if (once_in(2)) edits.camera->fitted = CameraFit{number(), 0.5 * number()};
       if (edits.camera->fitted && once_in(2)) edits.camera->fitted->w0_B = Vec3(number(), number(), number());
+      if (edits.camera->fitted && once_in(2)) edits.camera->fitted->attitude = LPoints::down;
       edits.camera->holds_still = once_in(3);
     }
     if (once_in(2)) edits.quality = once_in(2) ? QualityLevel::draft : QualityLevel::fine;

@@ -31,5 +31,14 @@ TEST(WindowPlace, OfADamagedFileIsNotKnown) {
   EXPECT_GE(size.height, 0);
 }
 
+// 2026-11-28: one that had stood under a bar, or without a frame, came back with its title bar off the
+// screen.
+TEST(WindowPlace, HasItsTitleBarOnTheScreen) {
+  constexpr std::array<int, 2> kCorner{0, 30}, kFrame{2, 24};
+  EXPECT_EQ(with_frame_seen({100, 90}, kCorner, kFrame), (std::array{100, 90})) << "as it was";
+  EXPECT_EQ(with_frame_seen({0, 30}, kCorner, kFrame), (std::array{2, 54}));
+  EXPECT_EQ(with_frame_seen({-40, 0}, kCorner, kFrame), (std::array{2, 54}));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -3,6 +3,7 @@
 
 #include "app/session/symbol_note.h"
 #include "base/utf8.h"
+#include "lessons/reader/front_matter/front_matter.h"
 #include "physics/body/bodies.h"
 #include "physics/method.h"
 #include "tests/app/session/example_lesson.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <vector>
 
 namespace polhode {
 namespace {
@@ -113,19 +115,51 @@ double contrast(ImVec4 color, const ImVec4& ground) {
   return std::max(one, other) / std::min(one, other);
 }
 
-// WCAG 2.2: 3:1 where a control is and how far it is moved (1.4.11), 4.5:1 for the words on it (1.4.3).
+// WCAG 2.2: 3:1 where a control is, how far it is moved and which one is chosen (1.4.11), 4.5:1 for the words
+// on it (1.4.3): at rest, below the pointer and while it is held.
 TEST_F(ControlFont, ControlsStandOutFromTheirGround) {
+  struct Pair {
+    int part, ground;
+    double least;
+  };
+  std::vector<Pair> pairs;
+  const auto add = [&](const std::vector<int>& parts, const std::vector<int>& grounds, double least) {
+    for (const int part : parts)
+      for (const int ground : grounds) pairs.push_back({part, ground, least});
+  };
+  const std::vector<int> kControl = {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
+                                     ImGuiCol_Button,  ImGuiCol_ButtonHovered,  ImGuiCol_ButtonActive};
+  const std::vector<int> kRow = {ImGuiCol_Header, ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive};
+  const std::vector<int> kSheet = {ImGuiCol_WindowBg, ImGuiCol_PopupBg};
+  const std::vector<int> kLine = {ImGuiCol_Border, ImGuiCol_CheckMark, ImGuiCol_NavHighlight};
+  add(kLine, kSheet, 3);
+  add(kLine, kControl, 3);
+  add({ImGuiCol_CheckMark, ImGuiCol_NavHighlight}, kRow, 3);
+  add({ImGuiCol_SliderGrab}, {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered}, 3);
+  add({ImGuiCol_SliderGrabActive}, {ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive}, 3);
+  add({ImGuiCol_ScrollbarGrab, ImGuiCol_ScrollbarGrabHovered, ImGuiCol_ScrollbarGrabActive}, kSheet, 3);
+  add({ImGuiCol_Text}, kSheet, 4.5);
+  add({ImGuiCol_Text}, kControl, 4.5);
+  add({ImGuiCol_Text}, kRow, 4.5);
+  add({ImGuiCol_Text}, {ImGuiCol_TextSelectedBg}, 4.5);
+  // Words that are quiet, a warning or a praise, and those of a lesson in its colours stand in rows too; the
+  // hint of a field that is empty is quiet.
+  add({ImGuiCol_TextDisabled, ImGuiCol_NavHighlight, ImGuiCol_PlotLines}, kSheet, 4.5);
+  add({ImGuiCol_TextDisabled}, kRow, 4.5);
+  add({ImGuiCol_NavHighlight, ImGuiCol_PlotLines}, {ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive}, 4.5);
+  add({ImGuiCol_TextDisabled}, {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive}, 4.5);
   for (const Theme theme : {Theme::paper, Theme::dark}) {
     set_control_style(theme, control_sizes(1));
     const ImVec4* const c = ImGui::GetStyle().Colors;
-    for (const int ground : {ImGuiCol_WindowBg, ImGuiCol_FrameBg}) {
-      for (const int part : {ImGuiCol_Border, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive,
-                             ImGuiCol_ScrollbarGrab, ImGuiCol_CheckMark, ImGuiCol_NavHighlight})
-        EXPECT_GE(contrast(c[part], c[ground]), 3)
-            << ImGui::GetStyleColorName(part) << " on " << ImGui::GetStyleColorName(ground);
-      for (const int words : {ImGuiCol_Text, ImGuiCol_TextDisabled})
-        EXPECT_GE(contrast(c[words], c[ground]), 4.5) << ImGui::GetStyleColorName(words);
-    }
+    for (const Pair& pair : pairs)
+      EXPECT_GE(contrast(c[pair.part], c[pair.ground]), pair.least)
+          << ImGui::GetStyleColorName(pair.part) << " on " << ImGui::GetStyleColorName(pair.ground)
+          << (theme == Theme::dark ? ", dark" : ", paper");
+    const auto of_lesson = [](const Color& color) { return ImVec4{color.r, color.g, color.b, 1}; };
+    for (const std::string& role : color_roles())
+      for (const int ground : {ImGuiCol_WindowBg, ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive})
+        EXPECT_GE(contrast(of_lesson(on_paper(role_from(role).value().ink, theme)), c[ground]), 4.5)
+            << role << " on " << ImGui::GetStyleColorName(ground);
   }
 }
 

@@ -65,5 +65,29 @@ TEST_F(HomePanel, StandsBehindTheEndWithTheNextLessonFirst) {
   EXPECT_EQ(session.panel, Panel::none) << "it would hide where one has gone";
 }
 
+// 2026-11-28: whoever had just opened the lesson for the first time was told to go on, one stage seen.
+TEST_F(HomePanel, ALessonThatWasOpenedAloneIsNotBegun) {
+  session.panel = Panel::lessons;
+  frame(4);
+  const Image fresh = screen->read();
+  LessonSession begun(test::loaded_lesson("euler-equations"));
+  begun.preferences = session.preferences;
+  begun.next_step();
+  begun.previous_step();
+  begun.panel = Panel::lessons;
+  const auto draw = [&](LessonSession& shown) {
+    for (int i = 0; i < 4; ++i)
+      ASSERT_TRUE(screen->draw(shown, {.size = kSize, .scale = 1, .seconds = 0.02}));
+  };
+  draw(begun);
+  EXPECT_TRUE(screen->read().rgba == fresh.rgba) << "where it began, with nothing else seen";
+  begun.next_stage();
+  begun.panel = Panel::lessons;
+  draw(begun);
+  begun.panel = Panel::lessons;
+  draw(begun);
+  EXPECT_FALSE(screen->read().rgba == fresh.rgba);
+}
+
 }  // namespace
 }  // namespace polhode

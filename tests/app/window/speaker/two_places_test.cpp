@@ -52,5 +52,10 @@ TEST(TwoPlaces, OnASmallScreenSomeOfEachIsSeen) {
   EXPECT_GE(places.second.y - places.first.y, 100);
 }
 
+TEST(TwoPlaces, TheSecondIsAsHighAsTheScreenBesideOneThatGivesWay) {
+  const TwoPlaces places = two_places({0, 0, {1920, 1080}}, {0, 0, {1280, 800}}, kLeast);
+  EXPECT_EQ(places.second, (DesktopBox{960, 0, {960, 1080}}));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -43,7 +43,7 @@ TEST(SceneKeys, ReadEveryKey) {
       "body = 'racket'\nomega = [1, 2, 3]\nattitude = 'L-up'\ntorque = ['space:1,2,3', 'damping:0.5']\n"
       "motion = 'symmetric'\nviews = ['body', 'space']\nshow = ['omega', 'trail-L']\n"
       "camera = { azimuth_deg = 90, elevation_deg = -30, distance = 3, zoom = 2, hold = 'still', fitted = { "
-      "azimuth_deg = 180, omega = [1, 2, 4] } }\nat = -1.5\nstill = "
+      "azimuth_deg = 180, omega = [1, 2, 4], attitude = 'L-down' } }\nat = -1.5\nstill = "
       "2.5\nduration = 2\n"
       "velocity = [4, 5, 6]\nforce = [7, 8, 9]\narrow = 'free'\n"
       "rate = 0.5\nhighlight = ['turn', 'omega']\nquality = 'draft'\ncaption = 'A caption'\n"
@@ -70,6 +70,7 @@ TEST(SceneKeys, ReadEveryKey) {
   EXPECT_NEAR(scene.camera.fitted->azimuth_rad, std::numbers::pi, 2 * kEpsilon * 4);
   EXPECT_EQ(scene.camera.fitted->elevation_rad, CameraSpec{}.elevation_rad);
   EXPECT_EQ(scene.camera.fitted->w0_B, Vec3(1, 2, 4));
+  EXPECT_TRUE(scene.camera.fitted->attitude == AttitudeSpec(LPoints::down));
   EXPECT_EQ(scene.at_s, -1.5);
   EXPECT_EQ(still_time_s(scene), 2.5);
   EXPECT_EQ(scene.duration_s, 2);
