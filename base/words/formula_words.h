@@ -139,7 +139,7 @@ inline constexpr Phrase kLimitTo{"to", "bis"};
 inline constexpr Phrase kOf{"of", "von"};
 inline constexpr Phrase kChoose{"choose", "über"};
 inline constexpr Phrase kOneHalf{"one half", "ein Halb"};
-inline constexpr Phrase kTheFraction{"the fraction", "der Bruch"};
+inline constexpr Phrase kTheFraction{"the fraction", "Bruch"};
 inline constexpr Phrase kEndOfFraction{"end of fraction", "Ende des Bruchs"};
 inline constexpr Phrase kSquareRootOf{"the square root of", "Wurzel aus"};
 inline constexpr Phrase kRootOfOrder{"the root of order", "die Wurzel der Ordnung"};

@@ -68,6 +68,15 @@ TEST_F(LessonLookup, ListsEachIdOnceAndOnlyLessons) {
   EXPECT_EQ(lessons_in(folders).front().path, scratch / "first/spin.md");
 }
 
+TEST_F(LessonLookup, FindsTranslationsByTheirLanguageAndListsTheOriginalAlone) {
+  fs::copy_file(scratch / "first/spin.md", scratch / "first/spin.de.md");
+  EXPECT_EQ(*find_lesson("spin.de", folders), scratch / "first/spin.de.md");
+  EXPECT_FALSE(find_lesson("spin.xx", folders));
+  EXPECT_FALSE(find_lesson("..de", folders));
+  EXPECT_THAT(translations_of(scratch / "first/spin.md"), testing::ElementsAre(scratch / "first/spin.de.md"));
+  EXPECT_EQ(lessons_in(folders).size(), 2u);
+}
+
 TEST_F(LessonLookup, ReadsNoMoreThanOneByteTooMany) {
   EXPECT_EQ(read_lesson_text("/dev/zero")->size(), kMaxLessonBytes + 1);
 }

@@ -59,6 +59,29 @@ constexpr const char* kCurves =
     "show = [\"polhode-family\", \"polhode\", \"separatrix\", \"herpolhode\", \"cones\", "
     "\"energy-ellipsoid\", \"omega\", \"L\", \"plane\"]\n";
 
+/// Of NAME.de.md, beside NAME.md if that has a text.
+ProgramRun linted_beside(const std::string& translation, const std::string& original,
+                         const std::string& name = "spin.de.md") {
+  const ScratchFolder scratch;
+  write_text(scratch / name, translation);
+  if (!original.empty()) write_text(scratch / "spin.md", original);
+  return polhode({"lint", scratch / name});
+}
+
+TEST(Lint, HoldsATranslationAgainstItsOriginal) {
+  const std::string original = lesson_with("", "# One {one}\nAt 0.5 s it is $T$.\n");
+  const std::string german = lesson_with("language = \"de\"\n", "# Eins {one}\nBei 0,5 s ist es $T$.\n");
+  EXPECT_THAT(linted_beside(german, original).err, HasSubstr("0 errors, 0 warnings"));
+  const ProgramRun wrong =
+      linted_beside(lesson_with("language = \"de\"\n", "# Eins {one}\nBei 0,6 s ist es $T$.\n"), original);
+  EXPECT_EQ(wrong.code, 3);
+  EXPECT_THAT(wrong.out, HasSubstr("lacks the number \"0.5\" that stands in "));
+  EXPECT_THAT(linted_beside(german, "").out, HasSubstr("the lesson that this one translates is missing: "));
+  EXPECT_THAT(linted_beside(original, original).out, HasSubstr("another language than the lesson's, \"en\""));
+  EXPECT_THAT(linted_beside(german, "", "alone.md").out,
+              HasSubstr("warning: what the sentences of this lesson say"));
+}
+
 TEST(Lint, NearlyEqualMomentsAreABody) {
   for (const char* middle :
        {"1.0000000000000002", "1.0000000000000004", "1.0000000000000009", "1.000000000000001"}) {

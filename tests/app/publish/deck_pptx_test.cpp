@@ -409,7 +409,7 @@ TEST(DeckPptx, LibreOfficeUnderstandsTitlesAlternativeTextsAndNotes) {
     EXPECT_THAT(texts_of(pages[i], "svg:desc"), ElementsAre(deck.slides[i].alt)) << "of the picture alone";
     const std::vector<std::string> notes = texts_of(frame_of(pages[i], "notes"), "text:p");
     if (deck.slides[i].notes.empty())
-      EXPECT_THAT(notes, ElementsAre("This slide has no notes."));
+      EXPECT_THAT(notes, ElementsAre("Diese Folie hat keine Notizen."));
     else
       EXPECT_THAT(notes, ElementsAre(deck.slides[i].notes[0].text, deck.slides[i].notes[1].text));
   }

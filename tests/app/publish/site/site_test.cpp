@@ -248,6 +248,23 @@ TEST_F(SiteOfTwo, KnowsWhereItWillLie) {
   EXPECT_FALSE(fs::exists(site / "sitemap.xml")) << "of an address that is no longer said";
 }
 
+TEST_F(SiteOfTwo, LinksALessonWithItsTranslation) {
+  std::string german = kOther;
+  german.insert(german.find("outcomes"), "language = \"de\"\n");
+  write_text(folder_ / "other.de.md", german);
+  const fs::path site = folder_ / "site";
+  const ProgramRun run = make(site, {"--url", "https://x.org/"}, {"edition", "other", "other.de"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(text_of(site / "other.html"),
+              testing::AllOf(
+                  HasSubstr("<link rel=\"alternate\" hreflang=\"de\" href=\"https://x.org/other.de.html\"/>"),
+                  HasSubstr("href=\"other.de.html\"")));
+  EXPECT_THAT(text_of(site / "other.de.html"),
+              testing::AllOf(HasSubstr("<html lang=\"de\">"),
+                             HasSubstr("hreflang=\"en\" href=\"https://x.org/other.html\""),
+                             HasSubstr("Die nächste Lektion: ")));
+}
+
 TEST_F(SiteOfTwo, OffersSlides) {
   const fs::path site = folder_ / "site";
   ASSERT_EQ(make(site, {"--with", "pptx"}, {"other"}).code, 0);

@@ -9,7 +9,7 @@ format = 1
 id     = "edition"
 title  = "An <edition> & more"
 author = ["A. B."]
-language = "en-GB"
+language = "en"
 outcomes = ["read it"]
 [references]
 LL = "Landau & Lifshitz"

@@ -176,7 +176,7 @@ class LostWords {
 TEST(Reader, IsOneWellFormedPageThatNeedsNothing) {
   EXPECT_THAT(edition().run.err, HasSubstr("3 steps in "));
   const XmlNode& root = edition().root;
-  EXPECT_EQ(root.attribute("lang"), "en-GB");
+  EXPECT_EQ(root.attribute("lang"), "en");
   EXPECT_EQ(words_of(*all_named(root, "title").front()), "An <edition> & more");
   EXPECT_THAT(edition().html, HasSubstr("default-src 'none'; img-src data:; style-src 'sha256-"));
   EXPECT_THAT(edition().html, Not(HasSubstr("{{")));
