@@ -15,7 +15,7 @@ namespace polhode {
 
 namespace {
 
-constexpr Size kSize{128, 96};
+constexpr double kAspect = 4.0 / 3.0;
 
 /// Names and numbers are those of something.
 bool needs_others(Overlay overlay) { return overlay == Overlay::labels || overlay == Overlay::values; }
@@ -45,21 +45,20 @@ Scene without_rest(Scene scene) {
 
 }  // namespace
 
-std::optional<Framebuffer> OverlayPictures::drawn(Overlay overlay, const Scene& scene, Theme theme) const {
+std::optional<Framebuffer> OverlayPictures::drawn(Overlay overlay, const Scene& scene, Theme theme,
+                                                  Size size) const {
   constexpr double kLabels = 6;  // px: they are seen, not read
   Scene shown = without_rest(scene);
-  if (needs_others(overlay))
-    shown.show.insert(overlay);
-  else
-    shown.show = {overlay};
+  shown.show = {overlay};
+  if (needs_others(overlay)) shown.show = {Overlay::omega, Overlay::axes_body, overlay};
   const Color ground = theme == Theme::dark ? colors_of(theme).backdrop : colors_of(theme).paper;
-  FigurePlace place{.rect = {0, 0, kSize.width, kSize.height}, .caption_px = kLabels, .theme = theme};
+  FigurePlace place{.rect = {0, 0, size.width, size.height}, .caption_px = kLabels, .theme = theme};
   place.background = {Background::Kind::color, ground};
   place.ground = ground;
   try {
     const SceneModel model = make_model(shown);
     const PlacedFigure figure = place_figure(model, still_time_s(shown), place, renderer_.fonts());
-    auto pixels = Framebuffer::create(gl_, kSize, 0);
+    auto pixels = Framebuffer::create(gl_, size, 0);
     if (!pixels || !renderer_.paint(figure.sheet, figure.insets, place.background, *pixels))
       return std::nullopt;
     return std::move(pixels).value();
@@ -69,17 +68,21 @@ std::optional<Framebuffer> OverlayPictures::drawn(Overlay overlay, const Scene& 
 }
 
 void OverlayPictures::show(Overlay overlay, const Scene& scene, Theme theme, float height, bool may_draw) {
-  const ImVec2 size{std::round(height * kSize.width / kSize.height), std::round(height)};
-  const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + size.x, low.y + size.y};
+  const Size pixels{static_cast<int>(std::lround(kAspect * static_cast<double>(height))),
+                    static_cast<int>(std::lround(height))};
+  const ImVec2 size{static_cast<float>(pixels.width), static_cast<float>(pixels.height)};
+  const ImVec2 at = ImGui::GetCursorScreenPos(), low{std::round(at.x), std::round(at.y)},
+               high{low.x + size.x, low.y + size.y};
   ImGui::Dummy(size);
   if (takes_long(overlay)) return;
   Scene now = without_rest(scene);
   now.camera = {};  // a hand that turns the figure leaves them as they are
-  if (!needs_others(overlay)) now.show = {};
-  if (!needs_others(overlay) && (scene_ != now || theme_ != theme)) {
+  now.show = {};
+  if (scene_ != now || theme_ != theme || size_ != pixels) {
     pictures_.clear();
     scene_ = std::move(now);
     theme_ = theme;
+    size_ = pixels;
   }
   auto found = pictures_.find(overlay);
   const bool is_seen = ImGui::IsRectVisible(low, high);
@@ -88,7 +91,7 @@ void OverlayPictures::show(Overlay overlay, const Scene& scene, Theme theme, flo
     if (has_drawn_ || !may_draw) return;
     has_drawn_ = true;
     ++count_;
-    found = pictures_.emplace(overlay, drawn(overlay, scene, theme)).first;
+    found = pictures_.emplace(overlay, drawn(overlay, scene, theme, pixels)).first;
     is_waiting_ = true;  // to be shown, and others
   }
   if (found == pictures_.end() || !found->second) return;

@@ -33,12 +33,13 @@ class OverlayPictures {
   int count() const { return count_; }
 
  private:
-  std::optional<Framebuffer> drawn(Overlay overlay, const Scene& scene, Theme theme) const;
+  std::optional<Framebuffer> drawn(Overlay overlay, const Scene& scene, Theme theme, Size size) const;
 
   const Gl& gl_;
   Renderer& renderer_;
   std::optional<Scene> scene_;  ///< of the pictures, without what differs from one to another
   Theme theme_ = Theme::paper;
+  Size size_{};
   std::map<Overlay, std::optional<Framebuffer>> pictures_;  ///< nothing: it cannot be drawn
   bool has_drawn_ = false, is_waiting_ = false;
   int count_ = 0;
