@@ -618,7 +618,7 @@ Size picture_size_of(const SceneModel& model, int width) {
 
 Page compose_picture(const PageRequest& request, const Fonts& fonts) {
   const SceneModel& model = *request.model;
-  const double w = request.size.width, h = request.size.height, em = kPictureEm * w;
+  const double w = request.size.width - request.covered, h = request.size.height, em = kPictureEm * w;
   const double rows = are_plots_alone(model) ? 0.0 : static_cast<double>(meter_rows(model, false));
   const double below = kPicturePlots * rows / (kPictureFigure + kPicturePlots * rows) * h;
   const Grid grid{em, em, {}, rounded(0, 0, w, h - below), {0, h - below, w, h}};

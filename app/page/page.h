@@ -184,9 +184,9 @@ Result<Page> compose_page(const PageRequest& request, const Fonts& fonts);
 /// entrance since, and, if it runs, in its time.
 Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts);
 
-/// What a page shows of a step besides its text, for documents that have the words themselves: figure and
-/// plots in all of the request's size, without captions; labels of filmstrips stay. Precondition: there is a
-/// model, for a page.
+/// What a page shows of a step besides its text, for documents that have the words themselves and for windows
+/// that show it large: figure and plots in all of the request's size that is not covered, without captions;
+/// labels of filmstrips stay. Precondition: there is a model, for a page.
 Page compose_picture(const PageRequest& request, const Fonts& fonts);
 /// The size of such a picture: as high as its plots need.
 Size picture_size_of(const SceneModel& model, int width);

@@ -116,7 +116,7 @@ void set_control_style(Theme theme, const ControlSizes& sizes) {
   // So near to what is at rest that words of all colours can be read on them; what is held sinks in.
   const ImVec4 hovered = shade(between(page.paper, page.ink, dark ? 0.16F : 0.075F));
   const ImVec4 pressed = shade(between(page.paper, page.ink, dark ? 0.09F : 0.11F));
-  const ImVec4 pointed_row = shade(between(page.paper, page.ink, dark ? 0.11F : 0.075F));
+  const ImVec4 pointed_row = shade(between(page.paper, page.ink, dark ? 0.085F : 0.075F));
   const ImVec4 line = shade(between(page.paper, page.ink, 0.24F));
   // What says where a control is, or how far: 3:1 (WCAG 2.2, 1.4.11).
   const ImVec4 outline = shade(between(page.paper, page.ink, dark ? 0.56F : 0.61F));

@@ -8,6 +8,7 @@
 #include "app/session/saved/save_as.h"
 #include "app/window/controls/control_style.h"
 #include "app/window/controls/lesson_texts.h"
+#include "app/window/controls/overlay_pictures.h"
 
 #include <filesystem>
 #include <optional>
@@ -43,6 +44,7 @@ struct PanelContext {
   LessonSession& session;
   const SpeechText& speech;
   LessonTexts& texts;
+  OverlayPictures& pictures;
   const ControlSizes& sizes;
   WindowRequests& requests;
   double frame_ms = 0;                         ///< wall time of the last frame in which a page was drawn

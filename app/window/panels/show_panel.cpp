@@ -6,6 +6,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace polhode {
 
 namespace {
@@ -69,15 +71,27 @@ void offer_overlay(PanelContext& context, Overlay overlay) {
   const SceneModel& model = *session.model();
   bool shown = model.scene.show.contains(overlay);
   const std::string unseen = what_is_unseen(overlay, model.scene);
-  if (wrapped_checkbox(words_of(overlay), shown)) {
+  // Of what would not be seen there is no picture.
+  constexpr float kPicture = 2.7F;  // em, in height
+  const float before = ImGui::GetCursorPosY(), left = ImGui::GetCursorPosX(),
+              height = kPicture * context.sizes.em;
+  if (unseen.empty())
+    context.pictures.show(overlay, model.scene, session.preferences.theme, height, !session.is_moving());
+  const float below = ImGui::GetCursorPosY();
+  ImGui::SetCursorPos({left + height * 4 / 3 + ImGui::GetStyle().ItemSpacing.x, before});
+  const bool is_changed = wrapped_checkbox(words_of(overlay), shown);
+  if (unseen.empty()) ImGui::SetCursorPosY(std::max(below, ImGui::GetCursorPosY()));
+  if (is_changed) {
     SceneEdits edits = session.edits();
     set_shown(edits, session.lesson_scene(), overlay, shown);
     context.requests.edits = edits;
   }
   if (unseen.empty()) return;
-  ImGui::Indent(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+  const float indent = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + height * 4 / 3 +
+                       ImGui::GetStyle().ItemSpacing.x;
+  ImGui::Indent(indent);
   quiet_words(unseen);
-  ImGui::Unindent(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::Unindent(indent);
 }
 
 }  // namespace

@@ -88,6 +88,20 @@ void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& ins
   }
 }
 
+void draw_size_chip(LessonSession& session, bool is_too_small, const Region& figure,
+                    const ControlSizes& sizes) {
+  if (session.is_presenting() || (!session.is_enlarged() && !is_too_small)) return;
+  ImGui::SetNextWindowPos({figure.x + figure.width - sizes.padding, figure.y + figure.height - sizes.padding},
+                          ImGuiCond_Always, {1, 1});
+  ImGui::Begin("size-of-figure", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
+  if (ImGui::Button(session.is_enlarged() ? "Beside the text" : "Larger")) session.set_enlarged(!session.is_enlarged());
+  tooltip_of_last(told(Command::enlarge));
+  ImGui::End();
+}
+
 void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets, bool is_held,
                      const Region& figure, const ControlSizes& sizes) {
   if (is_held || (!session.is_aside() && !is_changed(session.edits()))) return;

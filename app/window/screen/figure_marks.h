@@ -23,4 +23,8 @@ void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& ins
 void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets, bool is_held,
                      const Region& figure, const ControlSizes& sizes);
 
+/// In the lower right corner of the figure: larger, where it has type that is too small to be read; and back.
+void draw_size_chip(LessonSession& session, bool is_too_small, const Region& figure,
+                    const ControlSizes& sizes);
+
 }  // namespace polhode

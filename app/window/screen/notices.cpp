@@ -28,7 +28,7 @@ void Notices::draw(const Region& page, Theme theme, float padding, double clock_
   const bool is_error = !page_error_.empty() || !lesson_errors_.empty();
   const Color accent = colors_of(theme).accent;
   const float most = page.width - 2 * padding;
-  ImGui::SetNextWindowPos({padding, page.height - padding}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowPos({page.x + padding, page.y + page.height - padding}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {most, 0.6F * page.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleColor(ImGuiCol_Border, is_error ? ImVec4{accent.r, accent.g, accent.b, 1}

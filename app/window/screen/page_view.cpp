@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/screen/page_view.h"
 
+#include "app/page/text/text_column.h"
+
 #include <algorithm>
 
 namespace polhode {
@@ -83,9 +85,14 @@ Status PageView::compose(const LessonSession& session, const PageKey& key) {
     text_key_ = key.text;
   }
   if (hidden_) scroll_to(*text_, *hidden_);
+  if (session.transition() < 1 && !from_ && request.step > 1) {  // seen again
+    PageRequest before = request;
+    --before.step;
+    if (Result<FittedText> text = text_of_page(before, fonts)) from_ = std::move(text).value();
+  }
   if (session.transition() < 1)
     request.entrance = TurningInto{from_ ? &*from_ : nullptr, session.transition()};
-  page_ = compose_page(request, *text_, fonts);
+  page_ = key.look.is_enlarged ? compose_picture(request, fonts) : compose_page(request, *text_, fonts);
   symbols_ = symbols_on(page_.sheet, fonts);
   column_symbols_ = 0;
   if (page_.hidden > 0 && page_.ceiling > 0) {
@@ -114,6 +121,16 @@ bool PageView::scroll(double by_px) {
   const double before = hidden_.value_or(text_->hidden);
   hidden_ = std::clamp(before + by_px, 0.0, text_->overflow);
   return *hidden_ != before;
+}
+
+bool PageView::has_small_type() const {
+  const auto is_small = [](const PlacedType& text) {
+    double size = 0;  // without what is raised or lowered in it
+    for (const Glyph& glyph : text.list.glyphs) size = std::max(size, glyph.size);
+    return size > 0 && size < kLeastSmall - 0.01;
+  };
+  const std::vector<PlacedType>& texts = page_.sheet.texts;
+  return std::any_of(texts.begin() + static_cast<std::ptrdiff_t>(page_.column_texts), texts.end(), is_small);
 }
 
 void PageView::scroll_to_see(double y0, double y1) {

@@ -19,6 +19,7 @@ struct PageLook {
   double resolution = 1;               ///< of figures, while something moves
   bool keep_text = false;              ///< while ω is dragged: the text as it was set before
   double covered = 0;                  ///< px at the right edge that a panel lies over
+  bool is_enlarged = false;            ///< the figure and its plots alone
   bool fits = false;                   ///< nothing is scrolled: the text is as small as it has to be
   bool operator==(const PageLook&) const = default;
 };
@@ -45,6 +46,9 @@ class PageView {
   std::optional<std::size_t> symbol_under(const Vec2& at, double reach) const;
   const std::vector<Inset>& insets() const { return page_.insets; }
   const Page& page() const { return page_; }
+  /// Whether its diagrams have type that is too small to be read on a screen: they are as large as there is
+  /// room for.
+  bool has_small_type() const;
 
  private:
   /// What the layout of the text depends on.

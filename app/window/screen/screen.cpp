@@ -24,6 +24,7 @@ namespace {
 constexpr double kLongestFrame_s = 0.25;  // a window that was stopped does not jump
 constexpr double kTipReach = 16;          // px of the display at scale 1: so near the tip of ω is taken
 constexpr double kSymbolReach = 4;        // px round the ink of a symbol
+constexpr const char* kAnswerFirst = "Answer first, or press again to see it.";
 
 double now_s() {
   timespec time{};
@@ -91,7 +92,8 @@ Screen::Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
       controls_(std::move(controls)),
       imgui_(imgui),
       page_(std::make_unique<PageView>(*gl_, *renderer_)),
-      texts_(std::make_unique<LessonTexts>(*gl_, *renderer_)) {
+      texts_(std::make_unique<LessonTexts>(*gl_, *renderer_)),
+      pictures_(std::make_unique<OverlayPictures>(*gl_, *renderer_)) {
   begin_controls();
 }
 
@@ -161,7 +163,13 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   }
   const bool walks = session.is_presenting() && is_of_clicker(key);
   if (!walks && ((typing && is_for_field(key)) || is_of_panel)) return false;
-  if (session.panel == Panel::question && !is_repeated && answer_by_key(session, key)) return true;
+  if (session.panel == Panel::question && !is_repeated) {
+    if (answer_by_key(session, key)) return true;
+    if (const std::string why = why_no_choice(session, key); !why.empty() && !command_of(key)) {
+      tell(why);
+      return true;
+    }
+  }
   const bool goes_on_typing = !typing && (types_ahead_ || !typed_ahead_.empty());
   if (goes_on_typing && (is_character(key) || key == "Space")) {
     types_ahead_ = true;
@@ -175,6 +183,10 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   if (session.is_presenting() && press_while_presenting(session, key)) return true;
   const auto command = command_of(key);
   if (!command) return false;
+  if (key == "F5" && session.has_speaker()) {  // which begins a talk on every desk, and ends none
+    tell("You are presenting already: Escape ends it, N closes your window.");
+    return true;
+  }
   if (is_character(key) && (!session.preferences.letter_keys || panels_.awaits_text())) return false;
   if (is_repeated && !facts_of(*command).repeats) return true;
   const Panel before = session.panel;
@@ -193,6 +205,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
     panel_takes_focus_ = session.panel != before && session.panel != Panel::none;
     if (*command == Command::leave) {
       symbols_.leave(session);
+      choice_in_focus_.reset();
       ImGui::SetWindowFocus(nullptr);
     }
     return true;
@@ -206,7 +219,7 @@ bool Screen::holds_back(const LessonSession& session, bool is_repeated) {
   if (session.is_presenting() || !has_open_prediction(session)) return false;
   if (!is_repeated && held_back_ == session.place()) return false;
   if (!is_repeated) held_back_ = session.place();
-  tell("Answer first, or press again to see it.");
+  tell(kAnswerFirst);
   return true;
 }
 
@@ -244,11 +257,38 @@ bool Screen::press_while_presenting(LessonSession& session, std::string_view key
   return was_black || key == "B" || key == ".";
 }
 
-void Screen::move_symbol(LessonSession& session, int by) {
-  if (page_->symbols().empty()) tell("Nothing on this page has a note.");
-  symbols_.move(session, page_->symbols(), by);
-  if (const auto place = symbols_.place(); place && *place < page_->symbols().size())
-    page_->scroll_to_see(page_->symbols()[*place].box.y0, page_->symbols()[*place].box.y1);
+/// To the next symbol, and behind the last one to the choices that can still be picked.
+void Screen::move_focus_on_page(LessonSession& session, int by) {
+  const std::vector<const Page::Choice*> choices = open_choices(session);
+  const auto symbols = static_cast<int>(page_->symbols().size()),
+             all = symbols + static_cast<int>(choices.size());
+  if (all == 0) return tell("Nothing on this page has a note.");
+  int present = by > 0 ? -1 : all;
+  if (const auto place = symbols_.place(); place && static_cast<int>(*place) < symbols)
+    present = static_cast<int>(*place);
+  if (choice_in_focus_ && *choice_in_focus_ < choices.size())
+    present = symbols + static_cast<int>(*choice_in_focus_);
+  const int next = (present + by + all) % all;
+  choice_in_focus_.reset();
+  if (next < symbols) {
+    symbols_.reach(session, page_->symbols(), static_cast<std::size_t>(next));
+    const auto& box = page_->symbols()[static_cast<std::size_t>(next)].box;
+    page_->scroll_to_see(box.y0, box.y1);
+    return;
+  }
+  symbols_.leave(session);
+  choice_in_focus_ = static_cast<std::size_t>(next - symbols);
+  const PixelBox& box = choices[*choice_in_focus_]->box;
+  page_->scroll_to_see(box.y0, box.y1);
+}
+
+/// Enter on the choice that keys have reached. False: they have reached none.
+bool Screen::pick_in_focus(LessonSession& session) {
+  const std::vector<const Page::Choice*> choices = open_choices(session);
+  const auto reached = std::exchange(choice_in_focus_, std::nullopt);
+  if (!reached || *reached >= choices.size()) return false;
+  pick(session, *choices[*reached]);
+  return true;
 }
 
 bool Screen::do_in_window(LessonSession& session, Command command) {
@@ -265,7 +305,7 @@ bool Screen::do_in_window(LessonSession& session, Command command) {
       }
       break;
     case Command::next_symbol:
-      move_symbol(session, 1);
+      move_focus_on_page(session, 1);
       break;
     case Command::scroll_down:
       if (!page_->scroll(kScrolled * sizes_->em)) tell("The text ends here.");
@@ -280,11 +320,12 @@ bool Screen::do_in_window(LessonSession& session, Command command) {
       requests_.read_aloud = words_of_step(session);
       break;
     case Command::previous_symbol:
-      move_symbol(session, -1);
+      move_focus_on_page(session, -1);
       break;
     case Command::explain:
+      if (pick_in_focus(session)) break;
       if (symbols_.focused(page_->symbols()).empty())
-        tell("Tab goes to a symbol or a link first.");
+        tell("Tab goes to a symbol, a link or a choice first.");
       else if (!follow(session, symbols_.focused(page_->symbols())))
         symbols_.toggle_explanation();
       break;
@@ -339,8 +380,11 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     shown_place_ = session.place();
     symbols_.forget(session);
     held_back_.reset();
+    choice_in_focus_.reset();
     has_menu_ = false;  // what it offers is of the step before
   }
+  if (notices_.told() == kAnswerFirst && held_back_ != session.place()) tell("");
+  if (notices_.told() == kAnswerFirst && !has_open_prediction(session)) tell("");
   if (session.is_black()) has_menu_ = false;  // nothing of it is seen
   stage_title_ = speech_->words_of_title(session.stage());
   if (!stage_title_.empty() && stage_title_.back() == '.') stage_title_.pop_back();
@@ -362,9 +406,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   if (requests_.save_as) save(session);
   if (!requests_.slides.empty()) name_slides(session);
   symbols_.draw_note(session, page_->symbols(), sizes_->em);
-  Region free = page_region(session, frame.size);
-  free.width -= covered_width(session, frame.size);
-  if (!session.has_speaker()) draw_notices(free, sizes_->padding);
+  if (!session.has_speaker()) draw_notices(region_of_notices(session, frame.size), sizes_->padding);
   if (!session.is_black()) draw_scroll_marks(session);
   draw_invitation(session);
   draw_spot(session);
@@ -405,6 +447,24 @@ Status Screen::keep_for_audience(const LessonSession& session) {
   return success();
 }
 
+/// At the lower edge of what a panel leaves of the page, but beside the text where there is a figure, or
+/// above it.
+Region Screen::region_of_notices(const LessonSession& session, Size size) const {
+  constexpr float kLeast = 16;  // em
+  Region region = page_region(session, size);
+  region.width -= covered_width(session, size);
+  const Page& page = page_->page();
+  if (!session.has_scene() || session.panel == Panel::lessons) return region;
+  if (page.ceiling > 0) {
+    region.height = std::min(region.height, static_cast<float>(page.ceiling));
+  } else if (const float left = static_cast<float>(page.column.x1) + 2 * sizes_->em;
+             region.width - left > kLeast * sizes_->em) {
+    region.x = left;
+    region.width -= left;
+  }
+  return region;
+}
+
 void Screen::draw_notices(const Region& region, float padding) const {
   notices_.draw(region, *theme_, padding, clock_s_);
 }
@@ -414,7 +474,8 @@ Result<bool> Screen::show_page(LessonSession& session, const Region& region, dou
                       .focus = symbols_.place(),
                       .resolution = resolution,
                       .keep_text = drag_.holds_omega() || varies_,
-                      .covered = covered_width(session, picture_->size())};
+                      .covered = covered_width(session, picture_->size()),
+                      .is_enlarged = session.is_enlarged()};
   auto painted = page_->show(session, look);
   notices_.set_page_error(painted ? "" : painted.error());
   picture_->bind();
@@ -433,6 +494,7 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
       .session = session,
       .speech = *speech_,
       .texts = *texts_,
+      .pictures = *pictures_,
       .sizes = *sizes_,
       .requests = requests_,
       .frame_ms = 1e3 * page_s_,
@@ -446,6 +508,7 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
       session.panel == Panel::outline || session.panel == Panel::question || session.panel == Panel::lessons;
   if (lists_lessons && find_lessons_) lessons_ = std::exchange(find_lessons_, nullptr)();
   panels_.begin_frame();
+  pictures_->begin_frame();
   texts_->begin_frame(session.lesson(), session.step(), session.preferences.theme, sizes_->em);
   if (session.is_black()) return;
   const float panel = panel_width(session, size);
@@ -476,6 +539,7 @@ void Screen::lay_out_sliders(LessonSession& session) {
                                                : TipHand::away;
   draw_drag_marks(session, page_->insets(), hand, right, *sizes_);
   draw_scene_chip(session, page_->insets(), drag_.holds_omega(), figure, *sizes_);
+  draw_size_chip(session, page_->has_small_type(), figure, *sizes_);
 }
 
 void Screen::use_pointer(LessonSession& session, const Region& page) {
@@ -493,6 +557,7 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
   if (on_page && io.MouseClicked[0] && !symbols_.is_pointed_at()) {
     ImGui::SetWindowFocus(nullptr);
     symbols_.leave(session);
+    choice_in_focus_.reset();
   }
   if (use_questions(session, on_page)) return;
   if (!drag_.is_held() && plots_.use_mouse(session, page_->page().plots, on_page && !under, *sizes_)) return;
@@ -555,7 +620,7 @@ void Screen::copy() {
 double Screen::seconds_to_wake(const LessonSession& session) const {
   ImGui::SetCurrentContext(imgui_);
   const bool moving = session.is_moving();
-  if (moving || !is_full_) return 0;
+  if (moving || !is_full_ || pictures_->is_waiting()) return 0;
   if (ImGui::GetIO().WantTextInput) return 0.3;  // the caret blinks
   if (const auto seconds = panels_.seconds_to_wake()) return *seconds;
   // Dear ImGui measures a window that is new in a frame in which it does not show it.

@@ -84,8 +84,9 @@ class Screen {
 
   // For tests. A user reads the notice, and types the folder into its field.
 
-  const std::string& notice() const { return notices_.told(); }                   ///< told last
-  const LessonTexts& texts() const { return *texts_; }                            ///< in the panels
+  const std::string& notice() const { return notices_.told(); }  ///< told last
+  const LessonTexts& texts() const { return *texts_; }           ///< in the panels
+  const OverlayPictures& overlay_pictures() const { return *pictures_; }
   void set_folder(const std::string& folder) { panels_.save().folder = folder; }  ///< where things are saved
 
  private:
@@ -95,11 +96,13 @@ class Screen {
   Region page_region(const LessonSession& session, Size size) const;
   float panel_width(const LessonSession& session, Size size) const;
   float panel_height(const LessonSession& session, const Region& page) const;
+  Region region_of_notices(const LessonSession& session, Size size) const;
   float covered_width(const LessonSession& session, Size size) const;
   bool press_while_presenting(LessonSession& session, std::string_view key);
   bool holds_back(const LessonSession& session, bool is_repeated);
   bool do_in_window(LessonSession& session, Command command);
-  void move_symbol(LessonSession& session, int by);
+  void move_focus_on_page(LessonSession& session, int by);
+  bool pick_in_focus(LessonSession& session);
   void type_ahead(LessonSession& session);
   void scroll_by_wheel();
   void draw_page_menu(LessonSession& session, bool on_page, std::optional<std::size_t> under);
@@ -108,6 +111,8 @@ class Screen {
   bool walks_by_click(LessonSession& session, const Vec2& at, bool is_free) const;
   void draw_scroll_marks(const LessonSession& session);
   void draw_invitation(const LessonSession& session);
+  std::vector<const Page::Choice*> open_choices(const LessonSession& session) const;
+  static void pick(LessonSession& session, const Page::Choice& choice);
   const Page::Choice* choice_at(const LessonSession& session, const Vec2& at) const;
   void draw_choices(const LessonSession& session, const Page::Choice* pointed_at) const;
   const Page::OpenQuestion* question_at(const LessonSession& session, const Vec2& at) const;
@@ -142,6 +147,7 @@ class Screen {
   Notices notices_;
   std::unique_ptr<SpeechText> speech_;
   std::unique_ptr<LessonTexts> texts_;
+  std::unique_ptr<OverlayPictures> pictures_;
   const Lesson* spoken_ = nullptr;  ///< the lesson of speech_
   std::optional<ControlSizes> sizes_;
   std::optional<Theme> theme_;
@@ -153,6 +159,7 @@ class Screen {
   int frames_of_tooltip_ = 0;  ///< since the pointer has rested for as long as a tooltip waits
   bool is_full_ = true, was_moving_ = false;
   std::optional<StepPlace> shown_place_{};
+  std::optional<std::size_t> choice_in_focus_{};               ///< among open_choices(): keys reached it
   std::optional<StepPlace> held_back_{};                       ///< where one was asked to answer first
   bool panel_takes_focus_ = false;                             ///< it was opened by a key
   std::function<std::vector<LessonProgress>()> find_lessons_;  ///< null: asked already, or there are none

@@ -10,39 +10,54 @@
 
 namespace polhode {
 
-/// Of a question that is still open.
-const Page::Choice* Screen::choice_at(const LessonSession& session, const Vec2& at) const {
-  if (at.y() < page_->page().ceiling) return nullptr;  // scrolled away under the figure
+/// Of questions that are still open, in their order.
+std::vector<const Page::Choice*> Screen::open_choices(const LessonSession& session) const {
+  const std::vector<const Ask*> asked = session.questions();
+  std::vector<const Page::Choice*> open;
   for (const Page::Choice& choice : page_->page().choices) {
-    const std::vector<const Ask*> asked = session.questions();
     if (std::find(asked.begin(), asked.end(), choice.ask) == asked.end()) continue;  // the page before
     const JudgedAnswer* judged = session.judged(*choice.ask);
     const bool is_right = judged != nullptr && judged->judgement.mark == AnswerJudgement::Mark::right;
-    const PixelBox& box = choice.box;
-    if (!is_right && !session.is_awaited(*choice.ask) && at.x() >= box.x0 && at.x() < box.x1 &&
-        at.y() >= box.y0 && at.y() < box.y1)
-      return &choice;
+    if (!is_right && !session.is_awaited(*choice.ask)) open.push_back(&choice);
+  }
+  return open;
+}
+
+const Page::Choice* Screen::choice_at(const LessonSession& session, const Vec2& at) const {
+  if (at.y() < page_->page().ceiling) return nullptr;  // scrolled away under the figure
+  for (const Page::Choice* choice : open_choices(session)) {
+    const PixelBox& box = choice->box;
+    if (at.x() >= box.x0 && at.x() < box.x1 && at.y() >= box.y0 && at.y() < box.y1) return choice;
   }
   return nullptr;
 }
 
-/// A frame round the one that a click would pick; beside the one that was picked whether it is right, unless
-/// the motion is still to show it.
+void Screen::pick(LessonSession& session, const Page::Choice& choice) {
+  session.panel = Panel::question;  // where the reply stands
+  session.answer(*choice.ask, std::string(1, letter_of_choice(choice.number)));
+}
+
+/// A frame round the one that a click would pick, and a bolder one round the one that Enter would; beside the
+/// one that was picked whether it is right, unless the motion is still to show it.
 void Screen::draw_choices(const LessonSession& session, const Page::Choice* pointed_at) const {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float em = sizes_->em;
   const auto corner = [](double x, double y) { return ImVec2(static_cast<float>(x), static_cast<float>(y)); };
   const std::vector<const Ask*> asked = session.questions();
+  const std::vector<const Page::Choice*> open = open_choices(session);
+  const Page::Choice* reached =
+      choice_in_focus_ && *choice_in_focus_ < open.size() ? open[*choice_in_focus_] : nullptr;
   for (const Page::Choice& choice : page_->page().choices) {
     if (std::find(asked.begin(), asked.end(), choice.ask) == asked.end()) continue;
     const PixelBox& box = choice.box;
     if (box.y0 < page_->page().ceiling) continue;
-    if (&choice == pointed_at) {
-      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (&choice == pointed_at) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (&choice == pointed_at || &choice == reached) {
       const double aside = static_cast<double>(0.35F * em),
                    below = 0.12 * (box.y1 - box.y0);  // clear of the type
       list.AddRect(corner(box.x0 - aside, box.y0 + below), corner(box.x1, box.y1 + below),
-                   ImGui::GetColorU32(ImGuiCol_CheckMark), 0.3F * em, 0, 0.1F * em);
+                   ImGui::GetColorU32(&choice == reached ? ImGuiCol_NavHighlight : ImGuiCol_CheckMark),
+                   0.3F * em, 0, (&choice == reached ? 0.16F : 0.1F) * em);
     }
     const JudgedAnswer* judged = session.judged(*choice.ask);
     const bool is_picked =
@@ -85,10 +100,10 @@ bool Screen::use_questions(LessonSession& session, bool on_page) {
                                             0.1F * sizes_->em);
   }
   if (!io.MouseClicked[0] || (choice == nullptr && question == nullptr)) return false;
-  session.panel = Panel::question;  // where the reply stands
   if (choice != nullptr) {
-    session.answer(*choice->ask, std::string(1, letter_of_choice(choice->number)));
+    pick(session, *choice);
   } else {
+    session.panel = Panel::question;
     requests_.type_answer = true;
     requests_.type_answer_to = question->ask;
   }
@@ -190,6 +205,8 @@ void Screen::offer_of_text(LessonSession& session) {
 void Screen::offer_of_figure(LessonSession& session) {
   if (menu_item(Command::play_pause, session.is_playing() ? "Pause" : "Play"))
     do_command(session, Command::play_pause);
+  if (menu_item(Command::enlarge, session.is_enlarged() ? "Beside the text" : "As large as the page"))
+    do_command(session, Command::enlarge);
   if (menu_item(Command::next_view, "Seen from: the next")) do_command(session, Command::next_view);
   if (ImGui::MenuItem("The lesson's camera")) session.set_camera(session.lesson_scene().camera);
   if (menu_item(Command::undo, "Undo", session.can_undo())) do_command(session, Command::undo);

@@ -38,12 +38,8 @@ void SymbolFocus::light_focus(LessonSession& session, const Symbols& symbols) co
   session.light(focused(symbols));
 }
 
-void SymbolFocus::move(LessonSession& session, const Symbols& symbols, int by) {
-  const auto count = static_cast<int>(symbols.size());
-  if (count == 0) return;
-  const int none = by > 0 ? -1 : count;
-  const int next = (focus_ && *focus_ < symbols.size() ? static_cast<int>(*focus_) : none) + by;
-  focus_ = static_cast<std::size_t>((next + count) % count);
+void SymbolFocus::reach(LessonSession& session, const Symbols& symbols, std::size_t place) {
+  focus_ = place;
   explains_ = true;
   light_focus(session, symbols);
 }

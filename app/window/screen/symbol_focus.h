@@ -20,8 +20,8 @@ class SymbolFocus {
   std::optional<std::size_t> place() const { return focus_; }
   bool is_pointed_at() const { return hovered_.has_value(); }
 
-  /// To the next (1) or the one before (-1); behind the last comes the first.
-  void move(LessonSession& session, const Symbols& symbols, int by);
+  /// Precondition: there is a symbol at this place.
+  void reach(LessonSession& session, const Symbols& symbols, std::size_t place);
   /// The name of what keys have reached; empty: nothing.
   std::string focused(const Symbols& symbols) const;
   void toggle_explanation() { explains_ = !explains_ && focus_; }

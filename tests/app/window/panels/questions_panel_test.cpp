@@ -394,5 +394,65 @@ TEST_F(QuestionsPanelTest, WhatWasAskedBeforeCanBeGoneBackTo) {
   EXPECT_EQ(session.panel, Panel::question);
 }
 
+TEST_F(QuestionsPanelTest, WhatWasAskedForGoesWhenItIsDone) {
+  const Ask& ask = go_to_question("no-torque");
+  frame(3);
+  screen->press(session, "Right");
+  frame(2);
+  ASSERT_THAT(screen->notice(), testing::HasSubstr("Answer first"));
+  screen->press(session, "Right");
+  frame(2);
+  EXPECT_EQ(screen->notice(), "") << "at the step behind it";
+  session.previous_step();
+  frame(2);
+  screen->press(session, "Right");
+  frame(2);
+  ASSERT_THAT(screen->notice(), testing::HasSubstr("Answer first"));
+  session.answer(ask, "A");
+  frame(2);
+  EXPECT_EQ(screen->notice(), "") << "answered";
+}
+
+TEST_F(QuestionsPanelTest, ALetterOfAClosedQuestionSaysSo) {
+  const Ask& ask = go_to_question("no-torque");
+  screen->press(session, "Q");
+  frame(3);
+  for (const char* key : {"A", "B", "C", "D", "E"}) {
+    if (session.judged(ask) && session.judged(ask)->judgement.mark == AnswerJudgement::Mark::right) break;
+    screen->press(session, key);
+    session.end_play();
+    frame(2);
+  }
+  ASSERT_EQ(session.judged(ask)->judgement.mark, AnswerJudgement::Mark::right);
+  const int tries = session.record(ask)->tries;
+  for (const char* key : {"A", "2"}) {
+    EXPECT_TRUE(screen->press(session, key));
+    EXPECT_THAT(screen->notice(), testing::HasSubstr("answered already")) << key;
+    EXPECT_EQ(session.panel, Panel::question) << key;
+  }
+  EXPECT_EQ(session.record(ask)->tries, tries);
+  EXPECT_TRUE(screen->press(session, "B"));
+  EXPECT_EQ(session.panel, Panel::body) << "one that is a command is that again: " << screen->notice();
+}
+
+TEST_F(QuestionsPanelTest, ChoicesOnThePageAreReachedByTab) {
+  const Ask& ask = go_to_question("no-torque");
+  frame(3);
+  const std::size_t symbols = screen->page().symbols().size(), choices = screen->page().page().choices.size();
+  ASSERT_GT(choices, 1U);
+  for (std::size_t i = 0; i < symbols; ++i) EXPECT_TRUE(screen->press(session, "Tab"));
+  const Image before = screen->read();
+  for (int i = 0; i < 2; ++i) EXPECT_TRUE(screen->press(session, "Tab"));
+  frame(2);
+  EXPECT_FALSE(screen->read().rgba == before.rgba) << "it has a frame";
+  EXPECT_TRUE(screen->press(session, "Enter"));
+  frame(2);
+  ASSERT_NE(session.judged(ask), nullptr);
+  EXPECT_EQ(session.judged(ask)->judgement.choice, 2);
+  EXPECT_EQ(session.panel, Panel::question) << "where the reply stands";
+  session.panel = Panel::none;
+  EXPECT_TRUE(screen->press(session, "Shift+Tab")) << "from the last one";
+}
+
 }  // namespace
 }  // namespace polhode

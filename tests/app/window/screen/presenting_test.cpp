@@ -129,5 +129,17 @@ TEST_F(PresentingTest, APanelThatWasOpenIsClosed) {
   EXPECT_EQ(session.panel, Panel::none);
 }
 
+// 2026-11-28: F5, which begins a talk everywhere, ended the one that N had begun.
+TEST_F(PresentingTest, F5EndsNoTalkThatHasAWindowOfTheSpeakers) {
+  screen->press(session, "N");
+  ASSERT_TRUE(session.has_speaker());
+  screen->press(session, "F5");
+  EXPECT_TRUE(session.has_speaker());
+  EXPECT_TRUE(session.is_presenting());
+  EXPECT_NE(screen->notice().find("Escape"), std::string::npos) << screen->notice();
+  screen->press(session, "Escape");
+  EXPECT_FALSE(session.is_presenting());
+}
+
 }  // namespace
 }  // namespace polhode

@@ -2,6 +2,7 @@
 #include "app/window/screen/screen.h"
 
 #include "app/export/picture_maker.h"
+#include "app/session/camera_moves.h"
 #include "app/session/omega_drag.h"
 #include "app/session/steering.h"
 #include "app/window/controls/control_input.h"
@@ -364,8 +365,9 @@ TEST_F(ScreenTest, TheWheelOverTheOutlineScrollsIt) {
 
 TEST_F(ScreenTest, APanelBeginsAtItsTop) {
   session.panel = Panel::show;
-  frame(3);
+  frame(kOverlayCount);  // until all its pictures are there
   move(kSize.width - 150, 500);
+  frame(kOverlayCount);
   const Image at_top = screen->read();
   session.panel = Panel::help;
   frame(3);
@@ -752,6 +754,57 @@ TEST_F(ScreenTest, ASliderVariesANumberAndADoubleClickGivesItBack) {
   EXPECT_NEAR(value(), 3 + 8.0 / 50, 1e-12);
   EXPECT_TRUE(screen->press(session, "["));
   EXPECT_NEAR(value(), 3, 1e-12);
+}
+
+// 2026-11-28: where trails are shown the frame went with them, and the middle of the figure moved by 16 px.
+TEST_F(ScreenTest, TheFigureStandsStillUnderAHandOnOmega) {
+  const auto middle = [&]() -> Vec2 {
+    const auto tips = omega_tips(*session.model(), session.t_s(), screen->page().insets());
+    return tips.empty() ? Vec2(0, 0) : Vec2(tips.front().x0, tips.front().y0);
+  };
+  const auto& stages = session.lesson().stages;
+  const auto stage =
+      std::find_if(stages.begin(), stages.end(), [](const Stage& one) { return one.id == "torque-free"; });
+  ASSERT_NE(stage, stages.end());
+  session.go_to({static_cast<std::size_t>(stage - stages.begin()), 0});
+  frame(3);
+  const auto tips = omega_tips(*session.model(), session.t_s(), screen->page().insets());
+  ASSERT_FALSE(tips.empty());
+  const Vec2 before = middle(), tip(tips.front().x, tips.front().y);
+  move(tip.x(), tip.y());
+  down = true;
+  frame(2);
+  for (int i = 1; i <= 5; ++i) {
+    move(tip.x() + 10 * i, tip.y() + 5 * i);
+    EXPECT_LT((middle() - before).norm(), 0.5) << i;
+  }
+  down = false;
+  frame(3);
+  EXPECT_FALSE(session.edits().empty()) << "it was taken";
+  EXPECT_LT((middle() - before).norm(), 0.5) << "let go";
+}
+
+TEST_F(ScreenTest, ShowHasAPictureOfEachOverlayThatIsSeenOneAFrame) {
+  frame(3);
+  session.panel = Panel::show;
+  frame();
+  int before = screen->overlay_pictures().count();
+  for (int i = 0; i < 3 * kOverlayCount; ++i) {
+    frame();
+    const int now = screen->overlay_pictures().count();
+    ASSERT_LE(now - before, 1);
+    before = now;
+  }
+  EXPECT_GT(before, 4) << "as many as there is room for";
+  EXPECT_GT(screen->seconds_to_wake(session), 0) << "and then it rests";
+  session.set_camera(orbited(session.model()->scene.camera, 40, 10, 400));
+  frame(5);
+  EXPECT_EQ(screen->overlay_pictures().count(), before) << "turning the figure changes none";
+  session.panel = Panel::none;
+  frame(2);
+  session.panel = Panel::show;
+  frame(5);
+  EXPECT_EQ(screen->overlay_pictures().count(), before) << "they are kept";
 }
 
 }  // namespace

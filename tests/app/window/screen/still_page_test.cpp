@@ -224,5 +224,29 @@ TEST_F(StillPageTest, NormalSizeIsReachedFromBothEnds) {
   EXPECT_EQ(session.preferences.text_scale, 1);
 }
 
+// What is told lies beside the text, or above it, as long as it lasts.
+TEST_F(StillPageTest, WhatIsToldCoversNoText) {
+  for (const Size size : {Size{1280, 800}, Size{1280, 720}, Size{900, 600}, Size{800, 1200}}) {
+    session.go_to({0, session.lesson().stages[0].steps.size() - 1});
+    draw_at(size, 3);
+    const Image before = screen->read();
+    screen->tell(
+        "This is told for a while, in as many words as it takes, and nobody is to lose a line by it.");
+    draw_at(size, 3);
+    const Image after = screen->read();
+    const Page& page = screen->page().page();
+    int told = 0, hidden = 0;
+    for (int row = 0; row < size.height; ++row)
+      for (int at = 0; at < size.width; ++at) {
+        if (std::memcmp(before.pixel(at, row), after.pixel(at, row), 4) == 0) continue;
+        const bool is_text = at >= page.column.x0 && at < page.column.x1 && row >= page.ceiling;
+        ++(is_text ? hidden : told);
+      }
+    EXPECT_GT(told, 1000) << size.width;
+    EXPECT_EQ(hidden, 0) << size.width << 'x' << size.height;
+    for (int i = 0; i < 400; ++i) draw_at(size, 1);
+  }
+}
+
 }  // namespace
 }  // namespace polhode

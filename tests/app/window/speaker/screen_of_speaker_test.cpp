@@ -107,7 +107,7 @@ TEST_F(SpeakerTest, SeesThePageWhileTheAudienceSeesBlack) {
   const Image black = screen->read();
   EXPECT_EQ(black.pixel(640, 400)[0] + black.pixel(640, 400)[1] + black.pixel(640, 400)[2], 0);
   const Image now = speaker->read();
-  EXPECT_EQ(differing(before, now, 18, 42, 740, 440), 0);
+  EXPECT_EQ(differing(before, now, 20, 50, 730, 440), 0);
   EXPECT_GT(differing(before, now, 0, 0, 740, 34), 20) << "and is told so";
   EXPECT_GT(differing(before, now, 0, 34, 18, 440), 500) << "by a frame round the page too";
 }
