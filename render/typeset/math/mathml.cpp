@@ -78,8 +78,8 @@ char32_t standing_alone(char32_t accent) {
   };
   static constexpr std::array<Accent, 13> kAccents = {{{0x0300, U'`'},
                                                        {0x0301, U'´'},
-                                                       {0x0302, U'^'},
-                                                       {0x0303, U'~'},
+                                                       {0x0302, U'ˆ'},
+                                                       {0x0303, U'˜'},
                                                        {0x0304, U'¯'},
                                                        {0x0306, U'˘'},
                                                        {0x0307, U'˙'},
@@ -475,7 +475,13 @@ class Writer {
   void mark(const MathNode& n, char32_t sign, bool above, bool stretches) {
     around(above ? "mover" : "munder", above ? " accent=\"true\"" : " accentunder=\"true\"", [&] {
       group([&] { atoms(n.children); });
-      element("mo", stretches ? " stretchy=\"true\"" : " stretchy=\"false\"", utf8_of(sign));
+      // The arrow of its own is as long as "to": a style sheet makes that of a vector shorter.
+      constexpr std::u32string_view kArrows = U"←→↔";
+      const bool is_arrow = !stretches && kArrows.find(sign) != kArrows.npos;
+      element("mo",
+              std::string(stretches ? " stretchy=\"true\"" : " stretchy=\"false\"") +
+                  (is_arrow ? " class=\"vec\"" : ""),
+              utf8_of(sign));
     });
     before_ = MathClass::ordinary;
   }

@@ -5,6 +5,7 @@
 //   b i sf tt      the face of a text
 //   cancel-up cancel-down cancel-x   struck out by a stroke, or by two
 //   box            in a frame
+//   vec            an arrow above a letter, which is shorter than one between two
 //   left center right   how the cells of a table stand
 //   aligned cases matrix small gathered array   on a table: which environment it is
 //   line-above line-below line-left line-right  of a cell

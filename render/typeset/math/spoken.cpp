@@ -32,6 +32,9 @@ class FormulaSpeaker {
 
  private:
   void word(std::string_view w) {
+    // A text has blanks of its own beside a formula.
+    while (w.starts_with(' ')) w.remove_prefix(1);
+    while (w.ends_with(' ')) w.remove_suffix(1);
     if (w.empty()) return;
     const bool joins = w == "," || w == ";" || w == "." || w == ":";
     if (!text_.empty() && !joins) text_ += ' ';

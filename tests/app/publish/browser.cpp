@@ -309,6 +309,15 @@ Json Browser::wait_for(const std::string& expression, const Json& value) {
   return found;
 }
 
+std::vector<std::string> Browser::names_of_formulas() {
+  const Json tree = call("Accessibility.getFullAXTree");
+  std::vector<std::string> names;
+  for (const Json& node : tree["nodes"])
+    if (!node.value("ignored", false) && node["role"]["value"] == "MathMLMath")
+      names.push_back(node.value("name", Json::object()).value("value", ""));
+  return names;
+}
+
 std::string Browser::screenshot() {
   return decoded(call("Page.captureScreenshot", {{"format", "png"}})["data"]);
 }

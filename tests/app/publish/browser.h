@@ -48,6 +48,8 @@ class Browser {
   nlohmann::json value_of(const std::string& expression);
   /// Waits until the expression has the value, up to five seconds; returns what it has then.
   nlohmann::json wait_for(const std::string& expression, const nlohmann::json& value);
+  /// What assistive technology is told of each formula, in the order of the page.
+  std::vector<std::string> names_of_formulas();
   /// PNG.
   std::string screenshot();
   /// The bytes that an address of base64 holds ("data:image/png;base64,…").

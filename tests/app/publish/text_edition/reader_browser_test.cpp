@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The text edition in a real browser: how it fits, what it judges, and that it runs nothing else.
 #include "tests/app/publish/browser.h"
+#include "tests/app/publish/firefox.h"
 #include "tests/app/publish/text_edition/example_edition.h"
 
 #include <gmock/gmock.h>
@@ -129,22 +130,40 @@ TEST_F(ReaderInBrowser, TheKeyboardGoesToTheTextAndToControls) {
   EXPECT_NE(value_of("getComputedStyle(document.activeElement).outlineStyle"), "none");
 }
 
-TEST_F(ReaderInBrowser, RunsNothingOfALesson) {
+/// Tries to run, and to fetch.
+std::string hostile_lesson() {
   std::string lesson = kEditionLesson;
   const auto put = [&](const std::string& at, const std::string& what) {
     const std::size_t found = lesson.find(at);
-    ASSERT_NE(found, std::string::npos) << at;
+    if (found == std::string::npos) throw std::runtime_error(at);
     lesson.replace(found, at.size(), what);
   };
   put("An <edition> & more", "</title></style><script>window.ran = 1</script>");
   put("Landau & Lifshitz", "<svg onload=window.ran=1>");
   put("First **words**", "\\<script>window.ran = 1\\</script>\\<img src=x onerror=window.ran=1>");
   put("One & only.", "\\\\<iframe src=https://example.org>");
-  open(lesson);
-  EXPECT_EQ(value_of("window.ran === undefined"), true);
-  EXPECT_EQ(value_of("document.querySelectorAll('svg, iframe').length"), 0);
-  EXPECT_EQ(value_of("document.scripts.length"), 1);
-  EXPECT_THAT(browser_->complaints(), IsEmpty());
+  return lesson;
+}
+
+template <class AnyBrowser>
+void expect_nothing_has_run(AnyBrowser& browser) {
+  EXPECT_EQ(browser.value_of("window.ran === undefined"), true);
+  EXPECT_EQ(browser.value_of("document.querySelectorAll('svg, iframe').length"), 0);
+  EXPECT_EQ(browser.value_of("document.scripts.length"), 1);
+  EXPECT_THAT(browser.complaints(), IsEmpty());
+}
+
+TEST_F(ReaderInBrowser, RunsNothingOfALesson) {
+  open(hostile_lesson());
+  expect_nothing_has_run(*browser_);
+}
+
+TEST_F(ReaderInBrowser, RunsNothingOfALessonInFirefox) {
+  const auto firefox = Firefox::start(360, 740);
+  if (!firefox) GTEST_SKIP() << "no Firefox is installed";
+  open(hostile_lesson());
+  firefox->open(folder_ / "page.html");
+  expect_nothing_has_run(*firefox);
 }
 
 }  // namespace
