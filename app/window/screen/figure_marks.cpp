@@ -97,7 +97,8 @@ void draw_size_chip(LessonSession& session, bool is_too_small, const Region& fig
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
-  if (ImGui::Button(session.is_enlarged() ? "Beside the text" : "Larger")) session.set_enlarged(!session.is_enlarged());
+  if (ImGui::Button(session.is_enlarged() ? "Beside the text" : "Larger"))
+    session.set_enlarged(!session.is_enlarged());
   tooltip_of_last(told(Command::enlarge));
   ImGui::End();
 }
