@@ -78,7 +78,7 @@ Json json_of_overlays(const SceneModel& model) {
   for (const OverlayFacts& facts : kOverlays)
     all.push_back({{"name", facts.name},
                    {"shown", model.scene.show.contains(facts.overlay)},
-                   {"words", facts.words},
+                   {"words", facts.words.in(model.scene.language)},
                    {"unseen", what_is_unseen(facts.overlay, model.scene)}});
   return all;
 }
