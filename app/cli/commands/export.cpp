@@ -299,7 +299,7 @@ ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
   const auto renderer = or_fail(Renderer::create(*context, fonts));
   const ReaderEdition edition{.lesson = loaded.lesson,
                               .stages = out.stages,
-                              .look = {out.theme, out.quality},
+                              .look = {out.theme, out.quality, out.in_both_themes},
                               .place = {},
                               .live = live};
   const std::size_t count = steps_of(edition);
@@ -374,7 +374,8 @@ ProgramCommand export_command() {
         "KIND", false, offer(export_words().each)},
        {"--size", &typed->size, "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)", "WxH",
         false, offer(export_words().size)},
-       {"--theme", &typed->theme, "of pages and equations: paper or dark (default: paper)", "NAME", false,
+       {"--theme", &typed->theme,
+        "paper or dark (default: paper); both: figures of --reader, dark for dark screens", "NAME", false,
         offer(export_words().theme)},
        {"--background", &typed->background,
         "studio (figures), paper, white, transparent, transparent-dark, #rrggbb", "NAME", false,
@@ -427,8 +428,9 @@ ProgramCommand export_command() {
       "LibreOffice, with the transcript as notes.\n"
       "A reader's page is one HTML file of text, formulas and figures, for any screen or screen reader;\n"
       "--stage, --theme and --quality of its figures, --live, --sync and --context are the options that go\n"
-      "with it. With --live, as in a sandbox, a figure is a picture until it is pressed, and then computed\n"
-      "in the page, without network; the program for it is in build/web or PROGRAM/../share/polhode/web.\n"
+      "with it; by --theme both each figure is there twice, for light and for dark screens.\n"
+      "With --live, as in a sandbox, a figure is a picture until it is pressed, and then computed in the\n"
+      "page, without network; the program for it is in build/web or PROGRAM/../share/polhode/web.\n"
       "So is the figure of a slide in a deck for browsers. A site has the program once, and a sandbox.\n"
       "A site is a page of each lesson and index.html in the order of the course, without a server's help;\n"
       "addresses such as ID.html#stage and #stage/step.2 stay. A lesson that has not changed is not drawn\n"

@@ -181,7 +181,12 @@ ContextKind context_of(const std::string& typed) {
   return kKinds[choice("--context", typed, export_words().context)];
 }
 
+bool is_of_both_themes(const std::string& typed) {
+  return choice("--theme", typed, export_words().theme) == export_words().theme.size() - 1;
+}
+
 Theme theme_of(const std::string& typed) {
+  if (is_of_both_themes(typed)) throw usage("--theme both: only the figures of --reader are drawn in both");
   return static_cast<Theme>(choice("--theme", typed, export_words().theme));
 }
 
@@ -211,7 +216,7 @@ const ExportWords& export_words() {
       .each = {"stage", "step", "frame", "page"},
       .size = names_of_sizes(),
       .background = {"studio", "paper", "white", "transparent", "transparent-dark"},
-      .theme = {"paper", "dark"},
+      .theme = {"paper", "dark", "both"},
       .profile = {"page", "slides"},
       .quality = quality_level_names(),
       .png = {"fast", "small"},
@@ -268,13 +273,17 @@ void check_live(const TypedExport& typed, const ExportOptions& options) {
 ReaderOutput reader_output(const TypedExport& typed) {
   refuse_all_of_pictures(typed, "does not go with --reader, which makes one file of text and figures");
   check_html("--reader", typed.reader);
-  return {typed.reader,
-          typed.stages,
-          typed.live,
-          theme_of(typed.theme),
-          quality_of(typed.quality),
-          durability_of(typed.sync),
-          context_of(typed.context)};
+  const bool both = is_of_both_themes(typed.theme);
+  if (both && typed.live)
+    throw usage("--theme both: does not go with --live, whose figures are on one ground");
+  return {.file = typed.reader,
+          .stages = typed.stages,
+          .live = typed.live,
+          .theme = both ? Theme::paper : theme_of(typed.theme),
+          .in_both_themes = both,
+          .quality = quality_of(typed.quality),
+          .durability = durability_of(typed.sync),
+          .context = context_of(typed.context)};
 }
 
 const std::string& lesson_of(const TypedExport& typed) {

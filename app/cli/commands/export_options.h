@@ -41,6 +41,7 @@ struct ReaderOutput {
   std::vector<std::string> stages{};
   bool live = false;                    ///< figures can be played
   Theme theme = Theme::paper;           ///< of its figures
+  bool in_both_themes = false;          ///< those are drawn on dark ground too
   std::optional<QualityLevel> quality;  ///< likewise; absent: the scenes'
   Durability durability = Durability::rename_only;
   ContextKind context = ContextKind::any;

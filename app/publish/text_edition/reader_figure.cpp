@@ -23,24 +23,36 @@ ReaderFigures::ReaderFigures(const Lesson& lesson, const SpeechText& speech, Ren
                              const Look& look, const Effort& effort)
     : lesson_(lesson), speech_(speech), renderer_(renderer), look_(look), models_(ModelFor::page, effort) {}
 
+Outcome<std::string> ReaderFigures::source(const PageRequest& request) {
+  const Page page = compose_picture(request, renderer_.fonts());
+  const Result<Image> image = renderer_.draw(page.sheet, page.insets, request.size, ground_of(request.theme));
+  if (!image) return failed(image);
+  const Result<std::vector<std::uint8_t>> webp = encode_small_webp(*image);
+  if (!webp) return failed(webp);
+  return "data:image/webp;base64," + base64(*webp);
+}
+
 Outcome<ReaderPicture> ReaderFigures::moment(const Stage& stage, int step, double t_s, Size size) {
   const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];
   const SceneModel& model = model_of(of);
   if (const Done computable = check_computable(stage, model, t_s); !computable) return passed_on(computable);
-  const PageRequest request{.lesson = lesson_,
-                            .stage = stage,
-                            .step = step,
-                            .model = &model,
-                            .t_s = t_s,
-                            .size = size,
-                            .theme = look_.theme,
-                            .quality = look_.quality};
-  const Page page = compose_picture(request, renderer_.fonts());
-  const Result<Image> image = renderer_.draw(page.sheet, page.insets, request.size, ground_of(look_.theme));
-  if (!image) return failed(image);
-  const Result<std::vector<std::uint8_t>> webp = encode_small_webp(*image);
-  if (!webp) return failed(webp);
-  ReaderPicture made{request.size, "data:image/webp;base64," + base64(*webp), {}, t_s};
+  PageRequest request{.lesson = lesson_,
+                      .stage = stage,
+                      .step = step,
+                      .model = &model,
+                      .t_s = t_s,
+                      .size = size,
+                      .theme = look_.theme,
+                      .quality = look_.quality};
+  Outcome<std::string> shown = source(request);
+  if (!shown) return passed_on(shown);
+  ReaderPicture made{.size = size, .source = std::move(shown).value(), .alt = {}, .t_s = t_s};
+  if (look_.both) {
+    request.theme = Theme::dark;
+    Outcome<std::string> dark = source(request);
+    if (!dark) return passed_on(dark);
+    made.dark = std::move(dark).value();
+  }
   made.alt = alt_text(model, speech_.words_of_scenes(of, *of.scene), t_s);
   if (const std::string plots = speech_.words_of_plots(*of.scene); !plots.empty())
     made.alt += ' ' + speech_.opening(words::kPlotted) + plots;

@@ -4,6 +4,7 @@
 
 #include "app/export/picture_maker.h"
 #include "app/narration/speech_text.h"
+#include "app/page/page.h"
 #include "app/page/page_theme.h"
 
 #include <optional>
@@ -16,6 +17,7 @@ namespace polhode {
 struct ReaderPicture {
   Size size;
   std::string source;  ///< "data:image/webp;base64,…"
+  std::string dark{};  ///< the same on dark ground, for a reader who prefers that; empty: there is none
   std::string alt;
   double t_s = 0;
 };
@@ -32,6 +34,7 @@ class ReaderFigures {
   struct Look {
     Theme theme = Theme::paper;
     std::optional<QualityLevel> quality{};  ///< absent: the scenes'
+    bool both = false;                      ///< drawn on dark ground too: twice the time and the size
   };
 
   /// All outlive it. `effort` is told what motions cost.
@@ -55,6 +58,9 @@ class ReaderFigures {
   std::vector<std::string> captions(const Step& step);
 
  private:
+  /// What an `img` shows of it on the ground of a theme.
+  Outcome<std::string> source(const PageRequest& request);
+
   const Lesson& lesson_;
   const SpeechText& speech_;
   Renderer& renderer_;

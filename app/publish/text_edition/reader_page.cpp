@@ -296,8 +296,14 @@ class ReaderText {
   }
 
   static std::string img(const ReaderPicture& picture) {
-    return fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\"/>", picture.size.width,
-                       picture.size.height, html_escaped(picture.alt), picture.source);
+    const std::string image =
+        fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\"/>", picture.size.width,
+                    picture.size.height, html_escaped(picture.alt), picture.source);
+    return picture.dark.empty() ? image
+                                : fmt::format(
+                                      "<picture><source media=\"screen and (prefers-color-scheme: "
+                                      "dark)\" srcset=\"{}\"/>{}</picture>",
+                                      picture.dark, image);
   }
 
   /// Steps that go on with a scene have no figure of their own.

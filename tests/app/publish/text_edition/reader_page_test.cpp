@@ -193,6 +193,21 @@ TEST(Reader, IsOneWellFormedPageThatNeedsNothing) {
   });
 }
 
+/// Paper is light, whatever the screen is.
+TEST(Reader, FiguresForDarkScreensStandBesideTheOthers) {
+  const Edition both(kEditionLesson, {"--theme", "both"});
+  const auto pictures = all_named(both.root, "picture"), images = all_named(both.root, "img");
+  ASSERT_EQ(pictures.size(), images.size());
+  ASSERT_EQ(images.size(), all_named(edition().root, "img").size());
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const XmlNode& source = *all_named(*pictures[i], "source").at(0);
+    EXPECT_EQ(source.attribute("media"), "screen and (prefers-color-scheme: dark)");
+    EXPECT_THAT(source.attribute("srcset"), testing::StartsWith("data:image/webp;base64,"));
+    EXPECT_NE(source.attribute("srcset"), images[i]->attribute("src"));
+    EXPECT_EQ(images[i]->attribute("src"), all_named(edition().root, "img")[i]->attribute("src"));
+  }
+}
+
 TEST(Reader, ItsPolicyIsThatOfItsStyleAndScript) {
   const XmlNode& root = edition().root;
   for (const char* name : {"style", "script"})
@@ -369,6 +384,7 @@ TEST(Reader, SaysWhatCannotBe) {
          "--deck does not go with --reader");
   expect({"--size", "640x480"}, folder / "page.html", 2, "--size does not go with --reader");
   expect({"--skip-existing"}, folder / "page.html", 2, "--skip-existing does not go with --reader");
+  expect({"--theme", "both", "--live"}, folder / "page.html", 2, "does not go with --live");
   expect({"--stage", "rollin"}, folder / "page.html", 2, "did you mean");
   EXPECT_THAT(names_in(folder.path()), IsEmpty());
   fs::create_directory(folder / "page.html");
