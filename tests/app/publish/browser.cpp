@@ -311,10 +311,20 @@ Json Browser::wait_for(const std::string& expression, const Json& value) {
 
 std::vector<std::string> Browser::names_of_formulas() {
   const Json tree = call("Accessibility.getFullAXTree");
-  std::vector<std::string> names;
-  for (const Json& node : tree["nodes"])
+  std::map<std::string, const Json*> nodes;  // by their ids: they come generation by generation
+  for (const Json& node : tree["nodes"]) nodes.emplace(node["nodeId"], &node);
+  std::vector<std::string> names, open;
+  if (!tree["nodes"].empty()) open.push_back(tree["nodes"][0]["nodeId"]);
+  while (!open.empty()) {
+    const auto found = nodes.find(open.back());
+    open.pop_back();
+    if (found == nodes.end()) continue;
+    const Json& node = *found->second;
     if (!node.value("ignored", false) && node["role"]["value"] == "MathMLMath")
       names.push_back(node.value("name", Json::object()).value("value", ""));
+    const Json children = node.value("childIds", Json::array());
+    for (auto child = children.rbegin(); child != children.rend(); ++child) open.push_back(*child);
+  }
   return names;
 }
 

@@ -96,6 +96,11 @@ void expect_accessible(Browser& browser, const fs::path& page, const std::string
   }
 }
 
+/// Elements of formulas that have not as many parts as they need.
+constexpr const char* kWrongCounts = R"js(
+  [...document.querySelectorAll("mfrac, mroot, msub, msup, munder, mover, msubsup, munderover")]
+    .filter((part) => part.children.length !== (/subsup|underover/.test(part.localName) ? 3 : 2)).length)js";
+
 /// Screen readers say of each formula what the lesson says of it.
 template <class AnyBrowser>
 void expect_spoken(AnyBrowser& browser, const fs::path& page) {
@@ -106,6 +111,7 @@ void expect_spoken(AnyBrowser& browser, const fs::path& page) {
           .template get<std::vector<std::string>>();
   EXPECT_GT(words.size(), 100u);
   EXPECT_EQ(browser.names_of_formulas(), words) << page;
+  EXPECT_EQ(browser.value_of(kWrongCounts), 0);
   EXPECT_THAT(browser.complaints(), testing::IsEmpty());
 }
 
