@@ -41,7 +41,7 @@ inline constexpr auto kDeck = std::to_array<PlacedPhrase>({
     {"opens", {" opens", " öffnet"}},
     {"for-tab",
      {"to the notes, which arrows scroll, and to the buttons",
-      "zu den Notizen, die Pfeile rollen, und zu den Knöpfen"}},
+      "zu den Notizen, die sich mit den Pfeiltasten bewegen lassen, und zu den Schaltflächen"}},
     {"for-full-screen", {"full screen", "Vollbild"}},
     {"for-help", {"this help", "diese Hilfe"}},
     {"for-escape", {"closes what is open", "schließt, was offen ist"}},

@@ -7,8 +7,8 @@
 
 namespace polhode::words {
 
-inline constexpr Phrase kOutcomes{"What you will be able to do", "Was danach gelingt"};
-inline constexpr Phrase kPrerequisites{"What you should know", "Was bekannt sein sollte"};
+inline constexpr Phrase kOutcomes{"What you will be able to do", "Lernziele"};
+inline constexpr Phrase kPrerequisites{"What you should know", "Voraussetzungen"};
 inline constexpr Phrase kToTheText{"To the text", "Zum Text"};
 inline constexpr Phrase kContents{"Contents", "Inhalt"};
 inline constexpr Phrase kAllLessons{"All lessons", "Alle Lektionen"};
@@ -40,7 +40,7 @@ inline constexpr Phrase kPickOne{"Pick one of the choices.", "Eine der Antworten
 inline constexpr Phrase kRight{"Right.", "Richtig."};
 inline constexpr Phrase kNotRight{"Not right.", "Nicht richtig."};
 inline constexpr Phrase kGiveEachAPlace{"Give each of them a place of its own.",
-                                        "Jeder einen eigenen Platz geben."};
+                                        "Jedem Schritt einen eigenen Platz geben."};
 inline constexpr Phrase kTypeANumber{"Type a number, such as 1.5 or 2e-3.",
                                      "Eine Zahl eingeben, etwa 1,5 oder 2e-3."};
 inline constexpr Phrase kTypeANumberIn{"Type a number in {0}, such as 1.5 or 2e-3.",

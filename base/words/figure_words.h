@@ -31,7 +31,7 @@ inline constexpr Phrase kAngularVelocityInTheBody{"Angular velocity in the body"
                                                   "Winkelgeschwindigkeit im Körper"};
 inline constexpr Phrase kKineticEnergy{"Kinetic energy", "Kinetische Energie"};
 inline constexpr Phrase kAngularMomentum{"Angular momentum", "Drehimpuls"};
-inline constexpr Phrase kDrift{"Drift from the start", "Abweichung vom Anfang"};
+inline constexpr Phrase kDrift{"Drift from the start", "Abweichung vom Anfangswert"};
 inline constexpr Phrase kRelativeAngleInRad{"relative; $\\angle$ in rad", "relativ; $\\angle$ in rad"};
 inline constexpr Phrase kAgainst{"{0} against {1}", "{0} über {1}"};
 

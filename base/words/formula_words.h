@@ -24,7 +24,7 @@ inline constexpr auto kSigns = std::to_array<SignWords>({
     {U'/', {"over", "durch"}},
     {U'∗', {"star", "Stern"}},
     {U'⊗', {"tensor", "Tensor"}},
-    {U'∧', {"wedge", "Dach"}},
+    {U'∧', {"wedge", "Keil"}},
     {U'∘', {"after", "nach"}},
     {U'∪', {"union", "vereinigt mit"}},
     {U'∩', {"intersection", "geschnitten mit"}},
@@ -33,8 +33,8 @@ inline constexpr auto kSigns = std::to_array<SignWords>({
     {U'≠', {"is not equal to", "ungleich"}},
     {U'<', {"is less than", "kleiner als"}},
     {U'>', {"is greater than", "größer als"}},
-    {U'≤', {"is at most", "höchstens"}},
-    {U'≥', {"is at least", "mindestens"}},
+    {U'≤', {"is at most", "kleiner gleich"}},
+    {U'≥', {"is at least", "größer gleich"}},
     {U'≪', {"is much less than", "sehr viel kleiner als"}},
     {U'≫', {"is much greater than", "sehr viel größer als"}},
     {U'≡', {"is identical to", "identisch gleich"}},
@@ -104,8 +104,8 @@ inline constexpr auto kAccents = std::to_array<SignWords>({
     {0x030C, {"check", "Hatschek"}},
     {0x0303, {"tilde", "Tilde"}},
     {0x0307, {"dot", "Punkt"}},
-    {0x0308, {"double dot", "zwei Punkt"}},
-    {0x20DB, {"triple dot", "drei Punkt"}},
+    {0x0308, {"double dot", "zwei Punkte"}},
+    {0x20DB, {"triple dot", "drei Punkte"}},
     {0x0304, {"bar", "quer"}},
     {0x0306, {"breve", "Breve"}},
     {0x030A, {"ring", "Ring"}},
@@ -118,19 +118,19 @@ inline constexpr Phrase kUnderlined{"underlined", "unterstrichen"};
 inline constexpr Phrase kCapital{"capital {0}", "groß {0}"};
 
 inline constexpr Phrase kMagnitudeOf{"the magnitude of", "Betrag von"};
-inline constexpr Phrase kItsValueNow{"its value now", "sein jetziger Wert"};
+inline constexpr Phrase kItsValueNow{"its value now", "aktueller Wert"};
 inline constexpr Phrase kDegrees{"degrees", "Grad"};
-inline constexpr Phrase kStruckOut{"struck out", "gestrichen"};
+inline constexpr Phrase kStruckOut{"struck out", "durchgestrichen"};
 inline constexpr Phrase kGoesTo{"goes to", "geht über in"};
 inline constexpr Phrase kBy{"by", "durch"};
 inline constexpr Phrase kWithBelow{"with below", "darunter"};
 inline constexpr Phrase kWithAbove{"with above", "darüber"};
 inline constexpr Phrase kWhichIs{"which is", "das ist"};
-inline constexpr Phrase kSub{"sub", "Index"};
+inline constexpr Phrase kSub{"sub", ""};
 inline constexpr Phrase kSuper{"super", "oben"};
 inline constexpr Phrase kSquared{"squared", "Quadrat"};
 inline constexpr Phrase kCubed{"cubed", "hoch 3"};
-inline constexpr Phrase kInverse{"inverse", "invers"};
+inline constexpr Phrase kInverse{"inverse", "hoch minus 1"};
 inline constexpr Phrase kToThePower{"to the power", "hoch"};
 inline constexpr Phrase kOver{"over", "durch"};      ///< of a fraction
 inline constexpr Phrase kLimitOver{"over", "über"};  ///< of a sum
@@ -138,7 +138,7 @@ inline constexpr Phrase kLimitFrom{"from", "von"};
 inline constexpr Phrase kLimitTo{"to", "bis"};
 inline constexpr Phrase kOf{"of", "von"};
 inline constexpr Phrase kChoose{"choose", "über"};
-inline constexpr Phrase kOneHalf{"one half", "ein Halb"};
+inline constexpr Phrase kOneHalf{"one half", "einhalb"};
 inline constexpr Phrase kTheFraction{"the fraction", "Bruch"};
 inline constexpr Phrase kEndOfFraction{"end of fraction", "Ende des Bruchs"};
 inline constexpr Phrase kSquareRootOf{"the square root of", "Wurzel aus"};

@@ -11,7 +11,7 @@ inline constexpr Phrase kCountOf{"{0} of {1}", "{0} von {1}"};
 inline constexpr Phrase kStepNumber{"step {0}", "Schritt {0}"};
 inline constexpr Phrase kStepsFromTo{"steps {0}–{1}", "Schritte {0}–{1}"};
 inline constexpr Phrase kQuestionLabel{"Question", "Frage"};
-inline constexpr Phrase kFromBefore{"from before:", "von vorher:"};
+inline constexpr Phrase kFromBefore{"from before:", "bereits bekannt:"};
 inline constexpr Phrase kAnswersToStage{"Answers to stage {0}: {1}", "Antworten zu Abschnitt {0}: {1}"};
 inline constexpr Phrase kAnswerOfStep{"step {0}, {1}", "Schritt {0}, {1}"};
 inline constexpr Phrase kForExample{"for example {0}", "zum Beispiel {0}"};

@@ -8,20 +8,20 @@ namespace polhode::words {
 
 // Alternative texts of figures.
 inline constexpr Phrase kSeenFromBoth{"Seen from space and from the body, side by side",
-                                      "Vom Raum und vom Körper aus gesehen, nebeneinander"};
+                                      "Vom Raumsystem und vom Körper aus gesehen, nebeneinander"};
 inline constexpr Phrase kSeenFromBody{"Seen from the body", "Vom Körper aus gesehen"};
-inline constexpr Phrase kSeenFromSpace{"Seen from space", "Vom Raum aus gesehen"};
+inline constexpr Phrase kSeenFromSpace{"Seen from space", "Vom Raumsystem aus gesehen"};
 inline constexpr Phrase kDiagrams{"Diagrams", "Diagramme"};
 inline constexpr Phrase kADiagram{"A diagram", "Ein Diagramm"};
 inline constexpr Phrase kNothing{"nothing", "nichts"};
 inline constexpr Phrase kAnd{" and ", " und "};
 inline constexpr Phrase kBodyTurnsAt{"At t = {0} s the body turns at {1} rad/s",
-                                     "Bei t = {0} s dreht sich der Körper mit {1} rad/s"};
+                                     "Zur Zeit t = {0} s dreht sich der Körper mit {1} rad/s"};
 inline constexpr Phrase kOmegaAlongL{", with ω along L", ", mit ω in Richtung von L"};
-inline constexpr Phrase kOmegaAwayFromL{", with ω {0}° away from L", ", mit ω um {0}° von L entfernt"};
+inline constexpr Phrase kOmegaAwayFromL{", with ω {0}° away from L", ", ω weicht um {0}° von L ab"};
 inline constexpr Phrase kPlotsAlone{"Plots alone. ", "Nur Kurven. "};
 inline constexpr Phrase kTheBodyIs{"The body is {0}with principal moments {1}, {2}, {3} kg m². ",
-                                   "Der Körper {0}hat die Hauptträgheitsmomente {1}, {2} und {3} kg m². "};
+                                   "Der Körper {0}hat die Hauptträgheitsmomente {1}; {2} und {3} kg m². "};
 inline constexpr Phrase kSceneOf{"Scene {0} of {1}, side by side. ", "Szene {0} von {1}, nebeneinander. "};
 
 // Marks.
@@ -59,7 +59,7 @@ inline constexpr Phrase kPlotted{"Plotted: ", "Aufgetragen: "};
 inline constexpr Phrase kDrawn{"Drawn: ", "Gezeichnet: "};
 inline constexpr Phrase kPlottedAgainst{" against ", " über "};
 inline constexpr Phrase kTime{"time", "der Zeit"};
-inline constexpr Phrase kWithTheLevel{", with the level ", ", mit der Höhe "};
+inline constexpr Phrase kWithTheLevel{", with the level ", ", mit der Linie bei "};
 inline constexpr Phrase kReferences{"References", "Literatur"};
 
 }  // namespace polhode::words

@@ -33,7 +33,7 @@ inline constexpr Phrase kInOtherWords{"in other words", "mit anderen Worten"};
 inline constexpr Phrase kInPart{"in part", "zum Teil"};
 inline constexpr Phrase kProved{"proved", "bewiesen"};
 inline constexpr Phrase kChecked{"checked", "geprüft"};
-inline constexpr Phrase kStated{"stated", "festgestellt"};
+inline constexpr Phrase kStated{"stated", "angegeben"};
 inline constexpr Phrase kClaimed{"claimed", "behauptet"};
 
 // How a motion is computed.
@@ -43,7 +43,7 @@ inline constexpr Phrase kWithMethodAndTolerance{"with {0}, tolerance {1}", "mit 
 
 // What is given.
 inline constexpr Phrase kGiven{"given", "unter der Annahme"};
-inline constexpr Phrase kForSmall{"for small", "für kleines"};
+inline constexpr Phrase kForSmall{"for small", "für kleine"};
 inline constexpr Phrase kToOrderIn{"to {0} order in", "in {0} Ordnung in"};
 inline constexpr std::array<Phrase, 4> kOrders = {
     {{"first", "erster"}, {"second", "zweiter"}, {"third", "dritter"}, {"fourth", "vierter"}}};
@@ -58,8 +58,8 @@ inline constexpr Phrase kForExampleAt{"for example at {0}: {1}", "zum Beispiel b
 inline constexpr Phrase kAnyState{"any state", "jedem Zustand"};
 inline constexpr Phrase kAttitude{"attitude", "Lage"};
 inline constexpr Phrase kInFrame{"in {0} ", "in {0} "};
-inline constexpr Phrase kToWithin{"to within {0} %", "auf {0} %"};
-inline constexpr Phrase kHasNoValue{"has no value at some time", "hat zu einer Zeit keinen Wert"};
+inline constexpr Phrase kToWithin{"to within {0} %", "auf {0} % genau"};
+inline constexpr Phrase kHasNoValue{"has no value at some time", "hat zeitweise keinen Wert"};
 inline constexpr Phrase kStepTooLong{"the step is too long to tell",
                                      "der Schritt ist zu lang für ein Urteil"};
 inline constexpr Phrase kTermsCancel{"the terms cancel too far to tell",
