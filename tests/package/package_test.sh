@@ -90,8 +90,8 @@ done
 
 # Unpacked anywhere, the program finds its lessons, and draws.
 cd -- "$scratch/polhode/usr/share/doc"
-lessons=$(env -u POLHODE_LESSONS HOME=/nonexistent "$scratch/polhode/usr/bin/polhode" list | cut -d ' ' -f 1)
-same "lessons in the package and in the sources" "$(cd "$sources/lessons" && awk 'FNR == 1 && $0 == "+++" { gsub(/^\.\/|\.md$/, "", FILENAME); print FILENAME }' ./*.md)" \
+lessons=$(env -u POLHODE_LESSONS HOME=/nonexistent "$scratch/polhode/usr/bin/polhode" list | cut -d ' ' -f 1 | sort)
+same "lessons in the package and in the sources" "$(cd "$sources/lessons" && awk 'FNR == 1 && $0 == "+++" { gsub(/^\.\/|\.md$/, "", FILENAME); print FILENAME }' ./*.md | sort)" \
   "$lessons"
 env -u POLHODE_LESSONS HOME=/nonexistent "$scratch/polhode/usr/bin/polhode" export euler-equations --stage poinsot \
   --what figure --size 160x120 -o "$scratch/pictures" >/dev/null || wrong "the packed program exports nothing"

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace polhode {
 
@@ -22,10 +23,24 @@ struct Entry {
   Lesson lesson;
 };
 
+/// Each lesson with its translations behind it.
+std::vector<FoundLesson> lessons_and_translations() {
+  std::vector<FoundLesson> all;
+  for (FoundLesson& lesson : lessons_in(lesson_folders())) {
+    std::vector<std::filesystem::path> translations = translations_of(lesson.path);
+    all.push_back(std::move(lesson));
+    for (std::filesystem::path& path : translations) {
+      std::string id = path.stem().string();
+      all.push_back({std::move(id), std::move(path)});
+    }
+  }
+  return all;
+}
+
 /// Lessons that read without errors; of the others stderr says so.
 std::vector<Entry> readable_lessons() {
   std::vector<Entry> entries;
-  for (FoundLesson& found : lessons_in(lesson_folders())) {
+  for (FoundLesson& found : lessons_and_translations()) {
     LessonReading reading = read_lesson(or_fail(read_lesson_text(found.path)), found.path.string());
     if (reading.lesson)
       entries.push_back({std::move(found), std::move(*reading.lesson)});
@@ -41,6 +56,7 @@ void print_json(const std::vector<Entry>& entries) {
   for (const Entry& entry : entries)
     json.push_back({{"id", entry.found.id},
                     {"title", entry.lesson.title},
+                    {"language", tag_of(entry.lesson.about.language)},
                     {"path", entry.found.path.string()},
                     {"stages", entry.lesson.stages.size()}});
   fmt::print("{}\n", printable(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
@@ -74,8 +90,9 @@ ProgramCommand list_command() {
   const auto json = std::make_shared<bool>(false);
   return {"list",
           "List the lessons",
-          {{"--json", json.get(), "id, title, path and number of stages as JSON"}},
-          "Lessons are the files ID.md in $POLHODE_LESSONS, ./lessons and PROGRAM/../share/polhode/lessons.",
+          {{"--json", json.get(), "id, title, language, path and number of stages as JSON"}},
+          "Lessons are the files ID.md in $POLHODE_LESSONS, ./lessons and PROGRAM/../share/polhode/lessons; "
+          "ID.de.md is one in German.",
           [json](const CommandWords&) { return list(*json); }};
 }
 

@@ -277,8 +277,8 @@ class TranslationCheck {
       return false;
     if (here.number &&
         (text(here.number->expression) != text(there.number->expression) ||
-         (!here.number->expression && here.number->value != there.number->value) || here.number->unit != there.number->unit ||
-         here.number->within != there.number->within))
+         (!here.number->expression && here.number->value != there.number->value) ||
+         here.number->unit != there.number->unit || here.number->within != there.number->within))
       return false;
     if (!here.task) return true;
     const auto goals = [](const StateTask& task) {

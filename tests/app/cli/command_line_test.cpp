@@ -350,6 +350,26 @@ TEST(List, ReadsTheFolderOfTheEnvironmentFirst) {
   EXPECT_THAT(run.err, HasSubstr("two_errors.md")) << "a lesson with errors is passed over silently";
 }
 
+TEST(List, HasATranslationBehindItsOriginal) {
+  const ScratchFolder scratch;
+  std::filesystem::copy(test_lesson("tiny.md"), scratch / "tiny.md");
+  std::string german = text_of(test_lesson("tiny.md"));
+  const std::size_t title = german.find("title");
+  ASSERT_NE(title, german.npos);
+  write_text(scratch / "tiny.de.md", german.insert(title, "language = \"de\"\n"));
+  RunOptions options;
+  options.environment["POLHODE_LESSONS"] = scratch.path();
+  const Json lessons = Json::parse(polhode({"list", "--json"}, options).out);
+  const auto at = [&](std::string_view id) {
+    return std::find_if(lessons.begin(), lessons.end(), [&](const Json& l) { return l["id"] == id; });
+  };
+  ASSERT_NE(at("tiny"), lessons.end());
+  ASSERT_NE(at("tiny.de"), lessons.end());
+  EXPECT_EQ(at("tiny.de") - at("tiny"), 1);
+  EXPECT_EQ((*at("tiny"))["language"], "en");
+  EXPECT_EQ((*at("tiny.de"))["language"], "de");
+}
+
 TEST(List, FindsLessonsInTheFolderItRunsIn) {
   const ScratchFolder scratch;
   std::filesystem::create_directory(scratch / "lessons");

@@ -8,6 +8,7 @@
 #include "lessons/reader/checks/lesson_check.h"
 #include "render/drawing/plots/meter_plots.h"
 #include "render/figure/make_figure.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,8 +18,6 @@
 #include <regex>
 #include <set>
 #include <sstream>
-
-#include "tests/support/paths.h"
 
 namespace polhode {
 namespace {

@@ -115,7 +115,8 @@ TEST(MathMl, WritesEachConstruct) {
       {"\\frac{a}{b}", "<mfrac><mrow><mi>a</mi></mrow><mrow><mi>b</mi></mrow></mfrac>"},
       {"x_1^2", "<msubsup><mi>x</mi><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></msubsup>"},
       {"\\hat e", "<mover accent=\"true\"><mrow><mi>e</mi></mrow><mo stretchy=\"false\">ˆ</mo></mover>"},
-      {"\\vec L", "<mover accent=\"true\"><mrow><mi>L</mi></mrow><mo stretchy=\"false\" class=\"vec\">→</mo></mover>"},
+      {"\\vec L",
+       "<mover accent=\"true\"><mrow><mi>L</mi></mrow><mo stretchy=\"false\" class=\"vec\">→</mo></mover>"},
       {"\\overline{ab}",
        "<mover accent=\"true\"><mrow><mrow><mi>a</mi><mi>b</mi></mrow></mrow><mo "
        "stretchy=\"true\">‾</mo></mover>"},
