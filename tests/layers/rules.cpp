@@ -114,8 +114,8 @@ const std::vector<Room>& rooms() {
       {"tests/",
        kProgram + Names{"tests/"},
        kProgramLibraries + Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h", "webp/",
-                                 "archive", "imgui.h", "imgui_internal.h", "malloc.h", "poll.h", "spawn.h",
-                                 "stdlib.h"},
+                                 "archive", "arpa/inet.h", "imgui.h", "imgui_internal.h", "malloc.h",
+                                 "poll.h", "spawn.h", "stdlib.h"},
        {},
        false},
   };
