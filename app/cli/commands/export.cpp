@@ -375,7 +375,7 @@ ProgramCommand export_command() {
        {"--size", &typed->size, "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)", "WxH",
         false, offer(export_words().size)},
        {"--theme", &typed->theme,
-        "paper or dark (default: paper); both: figures of --reader, dark for dark screens", "NAME", false,
+        "paper or dark (default: paper); of --reader also both: dark on dark screens", "NAME", false,
         offer(export_words().theme)},
        {"--background", &typed->background,
         "studio (figures), paper, white, transparent, transparent-dark, #rrggbb", "NAME", false,

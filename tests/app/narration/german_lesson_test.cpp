@@ -54,8 +54,8 @@ std::set<std::string> english_words() {
       "spin",  "spins", "turn",   "turns",  "flip",  "error", "wait",   "motion", "proved", "true",
       "false", "given", "figure", "stage",  "step",  "steps", "length", "answer", "right",  "choice",
       "both",  "same",  "small",  "large",  "grows"};
-  std::set<std::string> german = {"hat", "ring", "a",  "an", "t",      "s",
-                                  "l",   "h",    "so", "in", "tensor", "const"};
+  std::set<std::string> german = {"hat", "ring", "a",  "an",     "t",     "s",       "l",
+                                  "h",   "so",   "in", "tensor", "const", "relative"};
   const std::regex phrase(R"re(\{"((?:[^"\\]|\\.)*)",\s*"((?:[^"\\]|\\.)*)"\})re");
   for (const auto& entry : std::filesystem::directory_iterator(test::source_dir() / "base" / "words")) {
     const std::string text = read_file(entry.path());
