@@ -91,7 +91,7 @@ ProgramCommand list_command() {
   return {"list",
           "List the lessons",
           {{"--json", json.get(), "id, title, language, path and number of stages as JSON"}},
-          "Lessons are the files ID.md in $POLHODE_LESSONS, ./lessons and PROGRAM/../share/polhode/lessons; "
+          "Lessons are the files ID.md in $POLHODE_LESSONS, ./lessons and PROGRAM/../share/polhode/lessons;\n"
           "ID.de.md is one in German.",
           [json](const CommandWords&) { return list(*json); }};
 }
