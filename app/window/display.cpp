@@ -38,6 +38,8 @@ WindowPointer make_glfw_window(bool with_opengl, Size size, GLFWwindow* shared =
   size = is_known ? fitting(size) : Size{kWidth, kHeight};
   glfwDefaultWindowHints();
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, is_known ? GLFW_FALSE : GLFW_TRUE);  // that one has been scaled
+  // The page stays before the audience while the speaker's window has the keyboard, or goes.
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);  // all is drawn in framebuffers of our own
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   if (with_opengl) {

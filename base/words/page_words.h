@@ -25,6 +25,10 @@ inline constexpr Phrase kAtLeast{"at least {0}", "mindestens {0}"};
 inline constexpr Phrase kAtMost{"at most {0}", "höchstens {0}"};
 inline constexpr Phrase kBetween{"between {0} and {1}", "zwischen {0} und {1}"};
 
+// Beside a choice that was picked, in the window.
+inline constexpr Phrase kMarkedRight{"right", "richtig"};
+inline constexpr Phrase kMarkedNotRight{"not right", "nicht richtig"};
+
 // Numbers that are asked for.
 inline constexpr Phrase kAnswerWithANumber{"Answer with a number, to within {0}.",
                                            "Antwort als Zahl, auf {0} genau."};

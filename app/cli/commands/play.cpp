@@ -21,6 +21,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -210,11 +211,16 @@ WindowPlace kept_place() {
   return place ? *place : WindowPlace{};
 }
 
-/// Answers are a lesson's by its id: who has copied one to change it is told.
+/// Answers are a lesson's by its id: who has copied one to change it is told. A translation is the same
+/// lesson.
 std::string shared_with(const LoadedLesson& loaded) {
   std::error_code unknown;
+  const auto is_loaded = [&](const fs::path& path) {
+    return fs::equivalent(path, loaded.path, unknown) || unknown;
+  };
   for (const FoundLesson& found : lessons_in(lesson_folders()))
-    if (found.id == loaded.lesson.id && !fs::equivalent(found.path, loaded.path, unknown) && !unknown)
+    if (found.id == loaded.lesson.id && !is_loaded(found.path) &&
+        std::ranges::none_of(translations_of(found.path), is_loaded))
       return printable(
           fmt::format("This file has the id of {}: place and answers are shared with it. Another "
                       "id in its front matter makes it a lesson of its own.",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the screen lays over the page, and what a pointer does to its text: choices, scrolling, how to begin.
 #include "app/window/screen/screen.h"
+#include "base/words/page_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -64,10 +65,11 @@ void Screen::draw_choices(const LessonSession& session, const Page::Choice* poin
         judged != nullptr && judged->judgement.choice == static_cast<int>(choice.number) + 1;
     if (!is_picked || session.is_awaited(*choice.ask)) continue;
     const bool is_right = judged->judgement.mark == AnswerJudgement::Mark::right;
-    const char* word = is_right ? "right" : "not right";
-    const double left = box.x0 - 0.9 * page_->page().scale * em - ImGui::CalcTextSize(word).x;
+    const Phrase& phrase = is_right ? words::kMarkedRight : words::kMarkedNotRight;
+    const std::string word(phrase.in(session.lesson().about.language));
+    const double left = box.x0 - 0.9 * page_->page().scale * em - ImGui::CalcTextSize(word.c_str()).x;
     list.AddText(corner(left, 0.5 * (box.y0 + box.y1) - 0.5 * em),
-                 ImGui::GetColorU32(is_right ? ImGuiCol_PlotLines : ImGuiCol_NavHighlight), word);
+                 ImGui::GetColorU32(is_right ? ImGuiCol_PlotLines : ImGuiCol_NavHighlight), word.c_str());
   }
 }
 
@@ -247,8 +249,10 @@ void Screen::draw_scroll_marks(const LessonSession& session) {
   list.AddRectFilled({x0 - 2 * em, ceiling}, {x1 + em, low},
                      ImGui::ColorConvertFloat4ToU32({paper.r, paper.g, paper.b, 1}));
   list.AddLine({x0 - 2 * em, low}, {x1 + em, low}, ImGui::GetColorU32(ImGuiCol_Border));
-  const std::string words = fmt::format("{}  ·  step {} of {}", stage_title_, session.place().step + 1,
-                                        session.stage().steps.size());
+  const std::string words =
+      stage_title_ + "  ·  " +
+      words::kStepOf.with(session.lesson().about.language, {std::to_string(session.place().step + 1),
+                                                            std::to_string(session.stage().steps.size())});
   list.AddText({x0, ceiling + 0.5F * (strip - em)}, ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
 }
 
