@@ -122,6 +122,19 @@ std::vector<fs::path> translations_of(const fs::path& lesson) {
   return found;
 }
 
+std::vector<FoundLesson> lessons_and_translations_in(const std::vector<fs::path>& folders) {
+  std::vector<FoundLesson> all;
+  for (FoundLesson& lesson : lessons_in(folders)) {
+    std::vector<fs::path> translations = translations_of(lesson.path);
+    all.push_back(std::move(lesson));
+    for (fs::path& path : translations) {
+      std::string id = path.stem().string();
+      all.push_back({std::move(id), std::move(path)});
+    }
+  }
+  return all;
+}
+
 Outcome<fs::path> find_lesson(std::string_view name, const std::vector<fs::path>& folders) {
   if (names_file(name)) return fs::path(name);
   if (is_name_of_lesson(name)) {

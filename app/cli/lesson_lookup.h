@@ -29,6 +29,9 @@ std::vector<FoundLesson> lessons_in(const std::vector<std::filesystem::path>& fo
 /// Those beside a lesson's file: NAME.de.md beside NAME.md.
 std::vector<std::filesystem::path> translations_of(const std::filesystem::path& lesson);
 
+/// Each lesson of lessons_in with its translations behind it; their ids are "euler-equations.de".
+std::vector<FoundLesson> lessons_and_translations_in(const std::vector<std::filesystem::path>& folders);
+
 /// `name` is an id, with a dot and a language behind it that of a translation, or a file if it has a slash or
 /// ends in .md. An unknown id is a fault of usage (with "did you mean"); a file's existence is not checked
 /// here.

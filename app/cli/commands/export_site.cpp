@@ -28,10 +28,8 @@ namespace {
 std::vector<LoadedLesson> lessons_of(const TypedExport& typed) {
   std::vector<std::string> names = typed.lessons;
   if (names.empty())
-    for (const FoundLesson& found : lessons_in(lesson_folders())) {
+    for (const FoundLesson& found : lessons_and_translations_in(lesson_folders()))
       names.push_back(found.path.string());
-      for (const fs::path& path : translations_of(found.path)) names.push_back(path.string());
-    }
   if (names.empty()) throw usage("there are no lessons to make a site of; see: polhode list");
   std::vector<LoadedLesson> loaded;
   std::set<std::string> ids;

@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace polhode {
 
@@ -23,24 +22,10 @@ struct Entry {
   Lesson lesson;
 };
 
-/// Each lesson with its translations behind it.
-std::vector<FoundLesson> lessons_and_translations() {
-  std::vector<FoundLesson> all;
-  for (FoundLesson& lesson : lessons_in(lesson_folders())) {
-    std::vector<std::filesystem::path> translations = translations_of(lesson.path);
-    all.push_back(std::move(lesson));
-    for (std::filesystem::path& path : translations) {
-      std::string id = path.stem().string();
-      all.push_back({std::move(id), std::move(path)});
-    }
-  }
-  return all;
-}
-
 /// Lessons that read without errors; of the others stderr says so.
 std::vector<Entry> readable_lessons() {
   std::vector<Entry> entries;
-  for (FoundLesson& found : lessons_and_translations()) {
+  for (FoundLesson& found : lessons_and_translations_in(lesson_folders())) {
     LessonReading reading = read_lesson(or_fail(read_lesson_text(found.path)), found.path.string());
     if (reading.lesson)
       entries.push_back({std::move(found), std::move(*reading.lesson)});
