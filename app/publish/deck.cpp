@@ -2,7 +2,6 @@
 #include "app/publish/deck.h"
 
 #include "app/publish/deck_picture.h"
-#include "base/files/left_behind.h"
 
 #include <algorithm>
 #include <fstream>
@@ -53,7 +52,6 @@ Result<DeckEnd> write_deck(const fs::path& file, DeckKind kind, const Deck& deck
     stopped = go_on && !go_on(slide);
     return !stopped;
   };
-  remove_left_behind_in(file.has_parent_path() ? file.parent_path() : fs::path("."));
   const Status written = write_file_in_pieces(
       file, [&](const AppendBytes& append) { return append_deck(deck, append, noted); }, durability);
   if (stopped) return DeckEnd::stopped;

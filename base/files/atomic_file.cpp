@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/files/atomic_file.h"
 
+#include "base/files/left_behind.h"
 #include "base/files/reason_of.h"
 
 #include <fcntl.h>
@@ -213,6 +214,7 @@ Status write_file_in_pieces(FileOps& files, const fs::path& path, const FillFile
   // /dev/stdout may lead to a file: replace what a link points to, never the link.
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
   if (error && target.empty()) return cannot_write(path, error.message());
+  remove_left_behind_in(folder_of(target));
   return replace(files, target, fill, durability);
 }
 

@@ -55,14 +55,16 @@ class PosixFileOps final : public FileOps {
 /// is gone, `path` is as it was, and the error names path and reason. (One exception: Durability::sync
 /// reports a folder that cannot be flushed although the file, whole, has its name by then.) Survives EINTR
 /// and short writes. A symbolic link stays, what it points to is replaced; a device or pipe (/dev/null,
-/// /dev/stdout) is written in place; a pipe that nobody reads is an error.
+/// /dev/stdout) is written in place; a pipe that nobody reads is an error. What killed processes left
+/// unfinished in the folder goes (left_behind.h).
 Status write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                              Durability durability = Durability::rename_only);
 Status write_file_atomically(FileOps& files, const std::filesystem::path& path,
                              std::span<const std::uint8_t> bytes, Durability durability);
 
 /// The same for files of our own in a folder that others may write too: whatever stands under the name makes
-/// way. A symbolic link is not followed, and neither device nor pipe is opened; a folder is an error.
+/// way. A symbolic link is not followed, and neither device nor pipe is opened; a folder is an error. Such a
+/// folder is cleared once, before its many files are written, by who writes them.
 Status replace_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                                Durability durability = Durability::rename_only);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A folder is cleared of what killed processes left unfinished in it, before others write files there.
+// A folder is cleared of what killed processes left unfinished in it, before others write files there: by
+// write_file_atomically for its one file, by an export or a site once for its many.
 #pragma once
 
 #include <filesystem>

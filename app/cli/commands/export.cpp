@@ -16,6 +16,7 @@
 #include "app/publish/lesson_deck.h"
 #include "app/publish/live/sandbox_page.h"
 #include "app/publish/text_edition/reader_page.h"
+#include "base/files/left_behind.h"
 #include "base/files/temporary_file.h"
 #include "base/printable.h"
 #include "base/sha256.h"
@@ -273,6 +274,7 @@ ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& opti
   const ExportIdentity identity = identity_of(loaded, options);
   or_fail(inspect_folder(out.folder, identity));
   or_fail(make_folder(out.folder));
+  remove_left_behind_in(out.folder);
   ManifestFile file;
   file.file = loaded.lesson.id + ".txt";
   const std::string text = transcript_of(loaded.lesson, options.stages);

@@ -11,6 +11,7 @@
 #include "app/publish/site/site_record.h"
 #include "app/publish/text_edition/reader_assets.h"
 #include "base/files/file_bytes.h"
+#include "base/files/left_behind.h"
 #include "base/interrupt.h"
 #include "base/sha256.h"
 #include "render/image/webp.h"
@@ -71,6 +72,7 @@ class SiteWriter {
     Result<std::optional<SiteRecord>> before = read_site_record(folder_);
     if (!before) return failed(before);
     record_ = before->value_or(SiteRecord());
+    remove_left_behind_in(folder_);
     const std::vector<std::size_t> wanted = lessons_to_draw();
     made_.kept = site_.lessons.size() - wanted.size();
     if (const Done live = write_live(); !live) return passed_on(live);

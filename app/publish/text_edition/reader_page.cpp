@@ -11,7 +11,6 @@
 #include "app/publish/text_edition/reader_assets.h"
 #include "app/publish/text_edition/reader_style.h"
 #include "base/ascii.h"
-#include "base/files/left_behind.h"
 #include "base/interrupt.h"
 #include "base/words/edition_words.h"
 #include "base/words/speech_words.h"
@@ -485,7 +484,6 @@ Outcome<ReaderEnd> write_reader(const std::filesystem::path& file, const ReaderE
                                 Renderer& renderer, Durability durability, const ReaderProgress& go_on,
                                 const Effort& effort) {
   Stop stop;
-  remove_left_behind_in(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));
   const Status written = write_file_in_pieces(
       file,
       [&](const AppendBytes& append) {

@@ -3,7 +3,6 @@
 
 #include "base/files/atomic_file.h"
 #include "base/files/file_bytes.h"
-#include "base/files/left_behind.h"
 #include "base/files/reason_of.h"
 
 #include <fcntl.h>
@@ -118,7 +117,6 @@ StateFileResult<std::string> read_state_file(const fs::path& path, const std::st
 
 StateFileResult<std::monostate> write_state_file(const fs::path& path, const Json& members) {
   if (auto made = make_folder_of(path); !made) return made;
-  remove_left_behind_in(path.parent_path());
   Json json{{"format", kFormat}};
   json.update(members);
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -10,6 +10,7 @@
 #include "base/files/temporary_file.h"
 #include "tests/app/faults/failing_files.h"
 #include "tests/app/run_program.h"
+#include "tests/base/files/folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -197,6 +198,21 @@ TEST_P(KilledAtAnyTime, GoesOnToTheBytesOfOneRun) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Export, KilledAtAnyTime, testing::ValuesIn(kWorks),
+                         [](const auto& one) { return one.param.name; });
+
+class LeftByTheDead : public testing::TestWithParam<Work> {};
+
+// A transcript left it for ever: seen once in a thousand kills, for its files are written in an instant.
+TEST_P(LeftByTheDead, GoesWithTheNextRun) {
+  const Work& work = GetParam();
+  if (work.is_film && !has_ffmpeg()) GTEST_SKIP() << "no ffmpeg is installed";
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "out");
+  write_text(scratch / "out" / test::name_of_the_dead(), "half");
+  expect_to_end_whole(work, scratch / "out");
+}
+
+INSTANTIATE_TEST_SUITE_P(Any, LeftByTheDead, testing::ValuesIn(kWorks),
                          [](const auto& one) { return one.param.name; });
 
 /// Answers to one question, kept in a folder of state.

@@ -314,9 +314,16 @@ TEST(AtomicFileInjection, SyncFolderReportsEveryFailure) {
   EXPECT_TRUE(sync_folder(files, folder.path()).ok());
 }
 
-TEST(AtomicFile, LeftoversOfKilledProcessesAreNotTouched) {
+TEST(AtomicFile, WhatAKilledProcessLeftGoes) {
   const Folder folder;
-  const std::string taken = kTemporaryPrefix + std::to_string(getpid()) + "-0.part";
+  put(folder / test::name_of_the_dead(), kOld);
+  ASSERT_TRUE(write_file_atomically(folder / "a.png", kNew).ok());
+  EXPECT_THAT(folder.names(), ElementsAre("a.png"));
+}
+
+TEST(AtomicFile, WhatALivingProcessWritesIsNotTouched) {
+  const Folder folder;
+  const std::string taken = temporary_name(0);
   put(folder / taken, kOld);
   ASSERT_TRUE(write_file_atomically(folder / "a.png", kNew).ok());
   EXPECT_EQ(bytes_of(folder / taken), kOld);

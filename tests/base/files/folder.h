@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder to test in that goes away, and whole files as bytes.
+// A folder to test in that goes away, whole files as bytes, and what a killed process leaves.
 #pragma once
 
 #include <cstdint>
@@ -28,5 +28,8 @@ class Folder {
 
 std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file);
 void put(const std::filesystem::path& file, const std::vector<std::uint8_t>& bytes);
+
+/// The name of an unfinished file (temporary_name) as a process gives it that has ended since.
+std::string name_of_the_dead(int i = 0);
 
 }  // namespace polhode::test

@@ -6,8 +6,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 
@@ -16,26 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::Folder;
+using test::name_of_the_dead;
 using test::put;
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-/// A name as a process gives it that has ended since.
-std::string name_of_the_dead(int i) {
-  int ends[2];
-  if (pipe(ends) != 0) std::abort();
-  const pid_t child = fork();
-  if (child == 0) {
-    const std::string name = temporary_name(i);
-    _exit(write(ends[1], name.data(), name.size()) > 0 ? 0 : 1);
-  }
-  close(ends[1]);
-  char name[256] = {};
-  const ssize_t count = read(ends[0], name, sizeof name);
-  close(ends[0]);
-  waitpid(child, nullptr, 0);
-  return {name, static_cast<std::size_t>(count)};
-}
 
 void make_old(const fs::path& file, std::chrono::minutes age = std::chrono::minutes(61)) {
   fs::last_write_time(file, fs::file_time_type::clock::now() - age);

@@ -2,9 +2,11 @@
 // Sites: which pages there are, in which order, what is drawn again, and what is left alone.
 #include "app/publish/site/site_index.h"
 #include "app/publish/site/site_record.h"
+#include "base/files/temporary_file.h"
 #include "render/image/png.h"
 #include "tests/app/publish/text_edition/example_edition.h"
 #include "tests/app/run_program.h"
+#include "tests/base/files/folder.h"
 #include "tests/support/xml.h"
 
 #include <fmt/format.h>
@@ -215,6 +217,14 @@ TEST_F(SiteOfTwo, RemovesThePagesOfALessonThatIsGoneAndNothingElse) {
   ASSERT_EQ(make(site, {}, {"other"}).code, 0);
   EXPECT_THAT(names_in(site), ElementsAre("index.html", "mine.txt", "other.html", "site.json"));
   EXPECT_THAT(text_of(site / "other.html"), Not(HasSubstr("edition.html")));
+}
+
+TEST_F(SiteOfTwo, ClearsWhatAKilledProcessLeft) {
+  const fs::path site = folder_ / "site";
+  fs::create_directory(site);
+  write_text(site / test::name_of_the_dead(), "half");
+  ASSERT_EQ(make(site).code, 0);
+  EXPECT_TRUE(left_behind_in(site).empty());
 }
 
 TEST_F(SiteOfTwo, TakesNoFolderOfOthers) {
