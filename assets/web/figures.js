@@ -3,7 +3,7 @@
 // figure alone is live, in the slide's place: what the slide's text says was proved and computed for its still.
 "use strict";
 (() => {
-  const { make, number, button, slider } = polhodeLive;
+  const { words, filled, make, number, button, slider } = polhodeLive;
   const seconds = (t) => number(t, 4) + " s";
   let program = null, view = null, shown = null;
 
@@ -19,10 +19,10 @@
       [this.stage, this.step] = [figure.dataset.stage, Number(figure.dataset.step)];
       this.id = figure.closest("[id]").id;
       this.picture = figure.querySelector("img");
-      this.press = button("", () => this.open(), "Live: play this figure, turn it, start it anew");
+      this.press = button("", () => this.open(), words.press);
       this.press.className = "live-press";
       for (const name of ["pointerenter", "focus"]) this.press.addEventListener(name, polhodeLive.prepare, { once: true });
-      this.press.append(make("span", { "aria-hidden": "true" }, "▶ Live"));
+      this.press.append(make("span", { "aria-hidden": "true" }, "▶ " + words.live));
       this.place = make("div", { class: "live-place" });
       this.why = make("p", { class: "live-why", role: "status" });
       this.picture.replaceWith(this.place);
@@ -42,7 +42,7 @@
       try {
         await (begun ??= begin());
       } catch (error) {
-        return this.failed("the program does not start (" + error.message + ")");
+        return this.failed(filled(words.doesNotStart, error.message));
       } finally {
         this.press.disabled = false;
       }
@@ -80,21 +80,21 @@
     }
     failed(why) {
       this.wasLive = false;
-      this.why.textContent = "The figure stays a picture: " + why + ".";
+      this.why.textContent = filled(words.staysPicture, why);
     }
     step_() { return this.figure.closest(".stage"); }
 
     controls() {
-      this.play = button("Play", () => {
+      this.play = button(words.play, () => {
         program.call("set_playing", this.state?.playing ? 0 : 1);
         view.touch();
       });
       this.time = slider("t", seconds, (t) => { program.call("set_playing", 0); view.edit(() => program.call("set_time", t)); });
       this.time.line.classList.add("live-time");
-      const turn = (words, x, y, label) => button(words, () => { program.call("turn", x / 24, y / 24); view.touch(); }, label);
+      const turn = (sign, x, y, label) => button(sign, () => { program.call("turn", x / 24, y / 24); view.touch(); }, label);
       const turns = program.state().in_space;
       view.turns(turns);
-      const zoom = (words, by, label) => button(words, () => { program.call("zoom", by); view.touch(); }, label);
+      const zoom = (sign, by, label) => button(sign, () => { program.call("zoom", by); view.touch(); }, label);
       this.vary = program.state().vary.map((one, i) =>
         slider(one.number, (value) => number(value, 3) + (one.unit ? " " + one.unit : ""), (value) => view.edit(() => program.call("vary", i, value))));
       const omega = [1, 2, 3].map((i) => slider("ω" + "₁₂₃"[i - 1], (value) => number(value, 3) + " rad/s", (value) => {
@@ -110,14 +110,14 @@
         make("div", { class: "live-row" }, this.play, this.time.line),
         ...this.vary.map((one) => one.line),
         make("div", { class: "live-row" },
-          ...(turns ? [turn("◂", -1, 0, "Turn to the left"), turn("▸", 1, 0, "Turn to the right"), turn("▴", 0, -1, "Turn up"), turn("▾", 0, 1, "Turn down"),
-            zoom("+", 1, "Nearer"), zoom("−", -1, "Farther")] : []),
-          button("As in the lesson", () => view.edit(() => program.call("reset"))),
-          button("Copy link", () => polhodeLive.copyLink(this.id, program.state(), (words) => { this.note.textContent = words; })),
-          button("Picture", () => this.close())),
-        make("details", {}, make("summary", {}, "Start it anew"),
-          make("p", { class: "live-hint" }, "Take the tip of ω in the figure, or set its components in the body at t = 0:"), ...omega.map((one) => one.line)),
-        make("details", {}, make("summary", {}, "Numbers"), this.numbers), this.note, this.said);
+          ...(turns ? [turn("◂", -1, 0, words.left), turn("▸", 1, 0, words.right), turn("▴", 0, -1, words.up), turn("▾", 0, 1, words.down),
+            zoom("+", 1, words.nearer), zoom("−", -1, words.farther)] : []),
+          button(words.reset, () => view.edit(() => program.call("reset"))),
+          button(words.copyLink, () => polhodeLive.copyLink(this.id, program.state(), (said) => { this.note.textContent = said; })),
+          button(words.picture, () => this.close())),
+        make("details", {}, make("summary", {}, words.anew),
+          make("p", { class: "live-hint" }, words.anewHint), ...omega.map((one) => one.line)),
+        make("details", {}, make("summary", {}, words.numbers), this.numbers), this.note, this.said);
       this.place.after(this.panel);
     }
 
@@ -125,7 +125,7 @@
     drawn(state) {
       if (!state) return;
       this.state = state;
-      this.play.textContent = state.playing ? "Pause" : "Play";
+      this.play.textContent = state.playing ? words.pause : words.play;
       this.time.put(state.from, state.to, state.t);
       state.vary.forEach((one, i) => this.vary[i].put(one.from, one.to, one.value));
       const most = this.most ??= Math.max(...state.omega0.map(Math.abs)) * 1.5 || 3;
@@ -134,13 +134,13 @@
       this.step_()?.toggleAttribute("data-other", state.changed || state.t !== state.still);
       this.figure.toggleAttribute("data-changed", state.changed);
     }
-    worded(words) {
-      this.numbers.replaceChildren(...words.readouts.map((one) =>
+    worded(told) {
+      this.numbers.replaceChildren(...told.readouts.map((one) =>
         make("div", {}, make("dt", {}, one.name), make("dd", {}, one.value.replace(/-(?=\d)/g, "\u2212")))));
     }
-    settled(state, words) {
+    settled(state, told) {
       if (!state || state.playing) return;
-      const said = "t = " + seconds(state.t) + "; " + words.readouts.map((one) => one.name + " " + one.value).join("; ");
+      const said = "t = " + seconds(state.t) + "; " + told.readouts.map((one) => one.name + " " + one.value).join("; ");
       if (this.touched && said !== this.said.textContent) this.said.textContent = said;
       if (this.touched) polhodeLive.keep(this.id, state);
     }

@@ -14,6 +14,10 @@ const polhodeLive = (() => {
   const theme = () => (scheme ? scheme === "dark" : dark.matches) ? 1 : 0;
   const still = matchMedia("(prefers-reduced-motion: reduce)");
 
+  // Those of base/words/live_words.h in the page's language, and a text with `parts` in the place of {0}, {1}, ….
+  const words = JSON.parse(document.getElementById("polhode.words").textContent);
+  const filled = (text, ...parts) => text.replace(/\{(\d)\}/g, (_, i) => parts[i]);
+
   const make = (name, attributes = {}, ...children) => {
     const element = document.createElement(name);
     for (const [key, value] of Object.entries(attributes))
@@ -23,21 +27,21 @@ const polhodeLive = (() => {
     return element;
   };
   const number = (value, digits = 4) =>
-    !Number.isFinite(value) ? "–" : String(Number(value.toPrecision(digits))).replace("-", "\u2212");
+    !Number.isFinite(value) ? "–" : String(Number(value.toPrecision(digits))).replace("-", "\u2212").replace(".", words.decimal);
 
   /// What this browser lacks; empty: nothing.
   const missing = () =>
-    !document.getElementById("polhode.wasm") && !document.getElementById("polhode.file") ? "this page was written without its program"
+    !document.getElementById("polhode.wasm") && !document.getElementById("polhode.file") ? words.noProgram
     : typeof WebAssembly !== "object" || typeof DecompressionStream !== "function"
-      ? "this browser is too old to run the program in the page"
-    : typeof WebGL2RenderingContext === "undefined" ? "this browser draws no pictures in space (it has no WebGL2)"
+      ? words.tooOld
+    : typeof WebGL2RenderingContext === "undefined" ? words.noWebGl
     : "";
 
   /// What live_file of app/publish/live/live_program.h gives, once it has run.
   const held = {};
   const hold = (texts) => Object.assign(held, texts);
   const runFile = (name) => new Promise((done, failed) => document.head.append(make("script", {
-    src: name, load: done, error: () => failed(new Error(name + " does not lie beside this page")) })));
+    src: name, load: done, error: () => failed(new Error(filled(words.noFile, name))) })));
   /// What that header calls packed_for_page.
   const unpacked = async (id) => {
     const text = held[id] ?? document.getElementById(id).textContent, packed = new Uint8Array(text.length * 13 >> 4);
@@ -71,9 +75,9 @@ const polhodeLive = (() => {
     const call = (name, ...list) => module.ccall("polhode_" + name, "number", types(list), list);
     const said = (name) => module.ccall("polhode_" + name, "string", [], []);
     // A lesson is long, and ccall puts texts onto the stack.
-    const words = await lesson, place = module._malloc(words.length + 1);
-    module.HEAPU8.set(words, place);
-    module.HEAPU8[place + words.length] = 0;
+    const text = await lesson, place = module._malloc(text.length + 1);
+    module.HEAPU8.set(text, place);
+    module.HEAPU8[place + text.length] = 0;
     const opened = call("open_lesson", place, document.title);
     module._free(place);
     if (!opened) throw new Error(said("message"));
@@ -88,9 +92,8 @@ const polhodeLive = (() => {
     constructor(program) {
       View.present = this;  // for the browser's console, and for tests
       this.program = program;
-      this.canvas = make("canvas", { id: "polhode.canvas", role: "img", "aria-label": "The figure, live" });
-      this.box = make("div", { class: "live-view", tabindex: "0", role: "group",
-        "aria-label": "Live figure" }, this.canvas);
+      this.canvas = make("canvas", { id: "polhode.canvas", role: "img", "aria-label": words.canvas });
+      this.box = make("div", { class: "live-view", tabindex: "0", role: "group" }, this.canvas);
       this.turns(true);
       this.pointers = new Map();
       [this.frame, this.last, this.slow] = [0, null, 1];
@@ -104,8 +107,7 @@ const polhodeLive = (() => {
     /// A diagram is flat: nothing of it can be turned, and nothing says so.
     turns(can) {
       this.flat = !can;
-      this.box.setAttribute("aria-label",
-        can ? "Live figure. Arrow keys turn it, plus and minus zoom, Space plays." : "Live figure. Space plays.");
+      this.box.setAttribute("aria-label", can ? words.figure : words.flatFigure);
       this.box.toggleAttribute("data-flat", !can);
     }
     /// Into the document, where `host` is told of it. False: it cannot be drawn here, and `host` was told.
@@ -116,7 +118,7 @@ const polhodeLive = (() => {
       if (!this.attached) {
         this.program.call("set_theme", theme());
         if (!this.program.call("attach", "canvas[id='polhode.canvas']")) {
-          this.end("this browser draws no pictures in space at the moment (WebGL2: " + this.program.message() + ")");
+          this.end(filled(words.noWebGlNow, this.program.message()));
           return false;
         }
         this.attached = true;
@@ -139,7 +141,7 @@ const polhodeLive = (() => {
       this.canvas.replaceWith(fresh);
       this.canvas = fresh;
       this.hear();
-      this.end("the browser has taken the graphics away; press again to go on");
+      this.end(words.graphicsLost);
     }
 
     wake() { if (this.host && !this.frame) this.frame = requestAnimationFrame((now) => this.draw(now)); }
@@ -285,7 +287,7 @@ const polhodeLive = (() => {
       },
     };
   };
-  const button = (words, act, label = false) => make("button", { type: "button", click: act, "aria-label": label }, words);
+  const button = (text, act, label = false) => make("button", { type: "button", click: act, "aria-label": label }, text);
 
   // What an address keeps: of the motion what is not the lesson's, the camera, and t.
   const linked = (state) => {
@@ -329,11 +331,11 @@ const polhodeLive = (() => {
     history.replaceState(null, "", "#" + id + "?" + linked(state));
     try {
       await navigator.clipboard.writeText(location.href);
-      say("The link is copied: it opens what is shown now.");
+      say(words.copied);
     } catch {
-      say("The link stands in the address line: it opens what is shown now.");
+      say(words.inAddress);
     }
   };
 
-  return { make, number, missing, hold, prepare, newProgram, View, slider, button, linked, apply, keep, copyLink, still };
+  return { words, filled, make, number, missing, hold, prepare, newProgram, View, slider, button, linked, apply, keep, copyLink, still };
 })();

@@ -4,6 +4,7 @@
 #include "app/publish/html_text.h"
 #include "base/files/file_bytes.h"
 #include "base/sha256.h"
+#include "base/words/live_words.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,6 +36,14 @@ Outcome<std::string> read(const fs::path& file) {
   if (!bytes)
     return failure_of(Fault::failed, fmt::format("cannot read {}: {}", file.string(), bytes.error()));
   return std::string(bytes->begin(), bytes->end());
+}
+
+/// What the page's scripts say, as JSON.
+std::string words_of_script(Language language) {
+  std::string json = fmt::format("{{\"decimal\":\"{}\"", decimal_mark(language));
+  for (const words::NamedPhrase& phrase : words::kLive)
+    json += fmt::format(",\"{}\":\"{}\"", phrase.name, phrase.words.in(language));
+  return json + '}';
 }
 
 /// Any byte but "<" may stand in an element's text, so more bits fit into a character than base64 has: 13
@@ -125,15 +134,22 @@ LiveFile live_file(const LiveProgram& program) {
   return {"polhode-" + sha256_hex(text).substr(0, kDigits) + ".js", std::move(text)};
 }
 
-std::string live_elements(const LiveParts& live) {
+std::string live_elements(const LiveParts& live, Language language) {
   const auto element = [](const char* name, std::string_view attributes, std::string_view text) {
     return fmt::format("<script type=\"text/plain\" id=\"polhode.{}\"{}>{}</script>\n", name, attributes,
                        text);
   };
-  const std::string lesson = element("lesson", "", packed_for_page(live.lesson_text));
+  const std::string lesson =
+      fmt::format("<script type=\"application/json\" id=\"polhode.words\">{}</script>\n",
+                  words_of_script(language)) +
+      element("lesson", "", packed_for_page(live.lesson_text));
   if (!live.program_file.empty())
     return lesson + element("file", fmt::format(" data-name=\"{}\"", html_escaped(live.program_file)), "");
   return lesson + element("wasm", "", live.program.wasm) + element("js", "", live.program.script);
+}
+
+std::string live_without_script(Language language) {
+  return fmt::format("<noscript><p class=\"quiet\">{}</p></noscript>\n", words::kLiveNoScript.in(language));
 }
 
 std::string live_policy(const LiveParts& live) {

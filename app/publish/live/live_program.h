@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/outcome.h"
+#include "base/words/language.h"
 #include "lessons/reader/lesson.h"
 
 #include <filesystem>
@@ -46,8 +47,8 @@ struct LiveFile {
 LiveFile live_file(const LiveProgram& program);
 
 /// What a page needs besides its own script: its lesson, and the program with its script or where they are;
-/// texts are `packed_for_page`, as data.
-std::string live_elements(const LiveParts& live);
+/// texts are `packed_for_page`, as data. And what its script says, in the page's language.
+std::string live_elements(const LiveParts& live, Language language);
 /// Of the sources of a page's policy those that let the program run: its script, once it is unpacked, and
 /// WebAssembly; and where it lies beside the page, what the page's own script adds to it.
 std::string live_policy(const LiveParts& live);
@@ -55,8 +56,6 @@ std::string live_policy(const LiveParts& live);
 /// is, and whether it rests until it is played, for its motion would give a prediction away.
 std::string live_attributes(const Stage& stage, int step);
 /// For a page with figures that move: what they are without script.
-inline constexpr const char* kLiveNoScript =
-    "<noscript><p class=\"quiet\">The figures are pictures here. Where the page may run its script, which "
-    "sends nothing, they can be played, turned and started anew.</p></noscript>\n";
+std::string live_without_script(Language language);
 
 }  // namespace polhode

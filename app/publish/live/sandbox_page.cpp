@@ -34,7 +34,7 @@ Status append_sandbox(const LiveParts& live, const ReaderPicture& poster, const 
       {"height", std::to_string(poster.size.height)},
       {"alt", html_escaped(poster.alt)},
       {"poster", poster.source},
-      {"live", live_elements(live)},
+      {"live", live_elements(live, Language::en)},
       {"script", script},
   };
   return append_frame(live_assets::kSandboxHtml, append,

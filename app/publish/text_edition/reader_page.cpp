@@ -120,7 +120,7 @@ class ReaderText {
     };
     list(said(words::kOutcomes), about.outcomes);
     list(said(words::kPrerequisites), about.prerequisites);
-    if (edition_.live) html += kLiveNoScript;
+    if (edition_.live) html += live_without_script(edition_.lesson.about.language);
     return html;
   }
 
@@ -446,7 +446,7 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
       {"style", style},
       {"script", script},
       {"about", text.about()},
-      {"live", live != nullptr ? live_elements(*live) : ""},
+      {"live", live != nullptr ? live_elements(*live, lesson.about.language) : ""},
       {"outline", text.outline()},
       {"references", text.references()},
       {"head", head_of(edition)},

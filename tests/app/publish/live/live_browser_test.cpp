@@ -21,6 +21,7 @@
 namespace polhode {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -92,6 +93,19 @@ class LiveInBrowser : public testing::Test {
 
   std::unique_ptr<Browser> browser_;
 };
+
+TEST_F(LiveInBrowser, SpeaksTheLanguageOfItsLesson) {
+  std::string lesson = kEditionLesson;
+  lesson.replace(lesson.find("\"en\""), 4, "\"de\"");
+  browser_->open(page("german", {"./edition.md", "--live", "--reader"}, lesson));
+  EXPECT_EQ(value_of("document.querySelector('.live-press').ariaLabel"),
+            "Live: Abbildung abspielen, drehen, neu beginnen");
+  press_first();
+  EXPECT_THAT(value_of("document.querySelector('.live-panel').innerText").get<std::string>(),
+              AllOf(HasSubstr("Link kopieren"), HasSubstr("Neu beginnen"), Not(HasSubstr("undefined"))));
+  EXPECT_THAT(value_of("document.querySelector('.live-time .live-value').innerText").get<std::string>(),
+              testing::MatchesRegex("[0-9]+(,[0-9]+)? s"));
+}
 
 TEST_F(LiveInBrowser, AFigureIsAPictureUntilItIsPressed) {
   browser_->open(reader_page());

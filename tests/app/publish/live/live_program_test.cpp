@@ -3,6 +3,8 @@
 #include "app/publish/live/live_program.h"
 
 #include "app/publish/html_text.h"
+#include "app/publish/live/live_assets.h"
+#include "base/words/live_words.h"
 #include "tests/app/publish/text_edition/example_edition.h"
 #include "tests/app/run_program.h"
 
@@ -11,6 +13,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <regex>
 #include <set>
 
 namespace polhode {
@@ -47,9 +50,30 @@ TEST(LiveProgram, LiesBesidePagesAsAScript) {
   EXPECT_THAT(file.name, testing::MatchesRegex("polhode-[0-9a-f]{12}\\.js"));
   EXPECT_NE(file.name, live_file({"a", "'sha256-x'", "d~e"}).name);
   const LiveParts parts{program, "text", file.name};
-  EXPECT_THAT(live_elements(parts), AllOf(HasSubstr(packed_for_page("text")), HasSubstr(file.name),
-                                          Not(HasSubstr("polhode.wasm"))));
+  EXPECT_THAT(
+      live_elements(parts, Language::en),
+      AllOf(HasSubstr(packed_for_page("text")), HasSubstr(file.name), Not(HasSubstr("polhode.wasm"))));
   EXPECT_EQ(live_policy(parts), "'sha256-x' 'wasm-unsafe-eval' 'strict-dynamic'");
+}
+
+// A word that is asked for under another name would be "undefined" on the page.
+TEST(LiveProgram, HasTheWordsThatTheScriptsOfPagesAskFor) {
+  const std::string script = std::string(live_assets::kLiveJs) + live_assets::kFiguresJs;
+  std::set<std::string> asked, there = {"decimal"};
+  const std::regex use(R"(\bwords\.(\w+))");
+  for (std::sregex_iterator found(script.begin(), script.end(), use), end; found != end; ++found)
+    if ((*found).prefix().str().back() != '.') asked.insert((*found)[1]);  // `this.words` is the program's
+  for (const words::NamedPhrase& phrase : words::kLive) there.insert(phrase.name);
+  EXPECT_EQ(asked, there);
+}
+
+TEST(LiveProgram, SpeaksThePagesLanguage) {
+  const LiveParts parts{{"script", "hash", "wasm"}, "text"};
+  EXPECT_THAT(live_elements(parts, Language::en),
+              AllOf(HasSubstr(R"("decimal":".")"), HasSubstr("Copy link")));
+  EXPECT_THAT(live_elements(parts, Language::de),
+              AllOf(HasSubstr(R"("decimal":",")"), HasSubstr("Link kopieren"), Not(HasSubstr("Copy link"))));
+  EXPECT_THAT(live_without_script(Language::de), HasSubstr("Die Abbildungen sind hier Bilder."));
 }
 
 /// The bytes of packed text, as the page's script reads them.
