@@ -18,7 +18,8 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t kSignatureBytes = 8;
-constexpr std::size_t kChunkFrameBytes = 12;  // length, type and checksum
+constexpr std::size_t kChunkHeadBytes = 8;    // length and type
+constexpr std::size_t kChunkFrameBytes = 12;  // and checksum
 constexpr png_uint_32 kMaxAncillaryChunks = 1000;
 // Deflate cannot do better: 258 bytes from two bits (zlib's "Maximum Expansion Factor").
 constexpr std::uint64_t kMaxExpansion = 1032;
@@ -52,11 +53,11 @@ std::size_t read32(std::span<const std::uint8_t> bytes) {
 // libpng's own limit is for what it expands; a long plain chunk only earns a warning.
 bool has_long_chunk(std::span<const std::uint8_t> bytes) {
   bytes = bytes.subspan(kSignatureBytes);
-  while (bytes.size() >= kChunkFrameBytes) {
+  while (bytes.size() >= kChunkHeadBytes) {
     const std::size_t length = read32(bytes);
     const bool pixels = std::memcmp(&bytes[4], "IDAT", 4) == 0;
     if (length > kMaxPngTextBytes && !pixels) return true;
-    if (length > bytes.size() - kChunkFrameBytes) return false;  // cut off: libpng says so
+    if (length + kChunkFrameBytes > bytes.size()) return false;  // cut off: libpng says so
     bytes = bytes.subspan(kChunkFrameBytes + length);
   }
   return false;

@@ -275,7 +275,7 @@ class ExpressionReader {
 
   int axis() {
     const char c = next();
-    const bool single = i_ + 1 == text_.size() || !(is_digit(text_[i_ + 1]) || text_[i_ + 1] == '.');
+    const bool single = i_ + 1 >= text_.size() || !(is_digit(text_[i_ + 1]) || text_[i_ + 1] == '.');
     if (c < '1' || c > '3' || !single) fail(i_, "a component is 1, 2 or 3");
     pass();
     return c - '1';

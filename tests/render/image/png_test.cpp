@@ -282,6 +282,11 @@ TEST(PngReading, AChunkOfOneMebibyteIsReadALongerOneRefused) {
   const Result<PngFile> refused = decode_png(with_inserted(plain, kHeaderEnd, chunk("tEXt", data)));
   ASSERT_FALSE(refused.ok());
   EXPECT_THAT(refused.error(), HasSubstr("longer than 1 MiB"));
+  // Nor does libpng take memory for one of which no more is there than how long it is.
+  Bytes cut(plain.begin(), plain.begin() + kHeaderEnd);
+  for (const char c : {'\x28', '\0', '\0', '\0', 'i', 'T', 'X', 't', 'x'})
+    cut.push_back(static_cast<std::uint8_t>(c));
+  EXPECT_THAT(decode_png(cut).error(), HasSubstr("longer than 1 MiB"));
 }
 
 TEST(PngReading, ACompressedTextBombIsLeftOut) {
