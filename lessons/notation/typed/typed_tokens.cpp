@@ -161,10 +161,11 @@ class TokenReader {
     while (at < line.size()) {
       std::size_t behind = at;
       const char32_t c = next_character(line, behind);
-      if (dots_above(c) > 0 ||
-          (c == U'_' && line.substr(behind, 1) == "{" && line.substr(behind + 2, 1) == "}")) {
+      const bool braces =
+          c == U'_' && behind + 2 < line.size() && line[behind] == '{' && line[behind + 2] == '}';
+      if (dots_above(c) > 0 || braces) {
         dots += dots_above(c);
-        if (c == U'_') {  // "_{1}"
+        if (braces) {  // "_{1}"
           has_digit = has_digit || is_digit(line[behind + 1]);
           name += line[behind + 1];
           behind += 3;

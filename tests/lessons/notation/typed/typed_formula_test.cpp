@@ -64,7 +64,7 @@ TEST(TypedFormula, EveryBeginningOfALineCanBeSet) {
   for (const std::string line :
        {"d*L/dt + w x (I omega) = N", "|L|^2 = (I1 w1)^2 + (I2 w2)^2", "ddt(cross(w, L)) = star(comp(L, 2))",
         "d(1/2 I1 w1^2)/dt = I1 w1 w1' - ((((", "1/(2/(3/(4 - |w|)))", "d/dt d/dt d*/dt L'' = T'''",
-        "))((||^^''//dt"})
+        "))((||^^''//dt", "I_{2} w_{2}' = N_{2}"})
     for (std::size_t n = 0; n <= line.size(); ++n) {
       const TypedFormula formula = typed_formula(line.substr(0, n), kNoNames);
       EXPECT_TRUE(parse_math(formula.tex)) << line.substr(0, n) << '\n' << formula.tex;
