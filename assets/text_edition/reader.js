@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Judges choices, orders and numbers, copies formulas, and lets the keyboard scroll what is wider than the
-// page. Without it everything can be read; with it nothing is kept beyond the page.
+// Judges choices, orders and numbers, copies formulas, enlarges figures that a narrow screen shows small, and lets
+// the keyboard scroll what is wider than the page. Without it everything can be read; with it nothing is kept beyond the page.
 "use strict";
 (() => {
   // In the language of the lesson.
@@ -91,8 +91,39 @@
       equation.append(button);
     }
 
-  const wide = document.querySelectorAll(".formula, .wide, .long");
+  // A figure that is live is enlarged otherwise, and pictures of moments stand as large as they were drawn.
+  const figures = [...document.querySelectorAll("figure:not([data-stage])")].filter((figure) => !figure.closest(".moments")).map((figure) => {
+    const image = figure.querySelector("img");
+    const shown = image.closest("picture") || image;
+    const frame = document.createElement("div");
+    frame.className = "frame";
+    shown.replaceWith(frame);
+    frame.append(shown);
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "larger";
+    frame.after(button);
+    const one = { figure, image, frame, button };
+    const enlarge = (is_large, at) => {
+      figure.classList.toggle("large", is_large);
+      button.textContent = is_large ? words.smaller : words.larger;
+      if (is_large) frame.scrollLeft = at * frame.scrollWidth - frame.clientWidth / 2;
+      letScroll();
+    };
+    one.toggle = (at) => enlarge(!figure.classList.contains("large"), at);
+    button.textContent = words.larger;
+    button.addEventListener("click", () => one.toggle(0.5));
+    image.addEventListener("click", (event) => { if (!button.hidden) one.toggle(event.offsetX / image.clientWidth); });
+    return one;
+  });
+
+  const wide = document.querySelectorAll(".formula, .wide, .long, .frame");
   const letScroll = () => {
+    // At less than half of its pixels a figure's type is smaller than that of the text's notes.
+    for (const { figure, image, button } of figures) {
+      button.hidden = !figure.classList.contains("large") && image.clientWidth >= Number(image.getAttribute("width")) / 2;
+      image.classList.toggle("small", !button.hidden);
+    }
     for (const part of wide) {
       if (part.scrollWidth > part.clientWidth) {
         part.tabIndex = 0;

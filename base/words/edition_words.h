@@ -48,6 +48,8 @@ inline constexpr Phrase kTypeANumberIn{"Type a number in {0}, such as 1.5 or 2e-
 inline constexpr Phrase kCopyTex{"Copy the TeX", "TeX kopieren"};
 inline constexpr Phrase kCopyTexOf{"Copy the TeX of equation {0}", "TeX der Gleichung {0} kopieren"};
 inline constexpr Phrase kCopied{"copied", "kopiert"};
+inline constexpr Phrase kLarger{"Larger", "Größer"};
+inline constexpr Phrase kSmaller{"Smaller", "Kleiner"};
 inline constexpr Phrase kWiderThanPage{"Wider than the page; scrolls",
                                        "Breiter als die Seite; lässt sich verschieben"};
 

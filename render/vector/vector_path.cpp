@@ -56,11 +56,14 @@ std::vector<OutlineStep> outline_of(const Rule& rule, const PlacedType& type) {
                  true);
 }
 
-/// Glyphs in the order of reading, then rules.
+/// Glyphs in the order of reading, then rules. A rule shares no path with glyphs, whose outlines may turn the
+/// other way: where it lies over one, as over the sign of a root, their windings would cancel, and leave a
+/// hole.
 std::vector<VectorPath> ink_of(const PlacedType& type, const Fonts& fonts) {
   std::vector<VectorPath> paths;
+  std::size_t first = 0;
   const auto add = [&](const Color& color, std::vector<OutlineStep> steps) {
-    if (paths.empty() || !(paths.back().fill == color)) {
+    if (paths.size() == first || !(paths.back().fill == color)) {
       paths.emplace_back();
       paths.back().fill = color;
     }
@@ -68,6 +71,7 @@ std::vector<VectorPath> ink_of(const PlacedType& type, const Fonts& fonts) {
     all.insert(all.end(), steps.begin(), steps.end());
   };
   for (const Glyph& glyph : type.list.glyphs) add(glyph.color, outline_of(glyph, type, fonts));
+  first = paths.size();
   for (const Rule& rule : type.list.rules) add(rule.color, outline_of(rule, type));
   return paths;
 }

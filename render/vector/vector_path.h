@@ -20,7 +20,7 @@ struct VectorPath {
   double dash = 0;           ///< length of a dash and of a gap, between the middles of their ends; 0: solid
 };
 
-/// The later over the earlier. Type of one colour that follows each other is one path.
+/// The later over the earlier. Glyphs of one colour that follow each other are one path, and so are rules.
 std::vector<VectorPath> paths_of(const Sheet& sheet, const Fonts& fonts);
 
 /// Of a page or picture, points: less than a side of so many pixels by so little that nobody sees it. Where

@@ -33,9 +33,8 @@ std::optional<int> number_of(const std::string& marker) {
   return number;
 }
 
-/// Whether a formula may be wider than a narrow screen: browsers do not break it.
-bool is_long(std::string_view mathml) {
-  constexpr int kSigns = 20;  // some 300 px at the size of the text
+/// Of a formula: as many as are printed, scripts and all.
+int signs_of(std::string_view mathml) {
   int signs = 0;
   bool in_tag = false;
   for (const char c : mathml.substr(0, mathml.find("<annotation"))) {
@@ -44,7 +43,38 @@ bool is_long(std::string_view mathml) {
     else if (!in_tag && starts_character(c))
       ++signs;
   }
-  return signs > kSigns;
+  return signs;
+}
+
+/// Some 300 px at the size of the text: what is longer may be wider than a narrow screen, where browsers do
+/// not break a formula.
+constexpr int kMostSigns = 20;
+
+/// Browsers break lines before and after a formula, even where a bracket, a full stop or a unit touches it:
+/// those stay with it, as far as that is not too long for a narrow screen.
+std::string kept_together(std::string_view line) {
+  constexpr std::string_view kBegin = "<math ", kEnd = "</math>", kLong = "<span class=\"long\">";
+  std::string html;
+  for (std::size_t at = 0;;) {
+    const std::size_t begin = line.find(kBegin, at);
+    if (begin == line.npos) return html += line.substr(at);
+    std::size_t from = begin, end = begin;
+    while (from > at && line[from - 1] != ' ' && line[from - 1] != '\n' && line[from - 1] != '>') --from;
+    auto signs = static_cast<int>(begin - from);
+    bool touched = from < begin;
+    do {  // formulas that touch each other are one word
+      const std::size_t after = line.find(kEnd, end) + kEnd.size();
+      signs += signs_of(line.substr(end, after - end));
+      end = after;
+      for (; end < line.size() && line[end] != ' ' && line[end] != '\n' && line[end] != '<'; ++end) ++signs;
+      touched = touched || end > after || line.substr(end).starts_with(kBegin);
+    } while (line.substr(end).starts_with(kBegin));
+    html += line.substr(at, from - at);
+    const std::string_view word = line.substr(from, end - from);
+    const bool fits = signs <= kMostSigns && !html.ends_with(kLong);
+    html += touched && fits ? fmt::format("<span class=\"word\">{}</span>", word) : std::string(word);
+    at = end;
+  }
 }
 
 /// The lists that are open, one in an item of the other.
@@ -134,7 +164,7 @@ std::string LessonHtml::formula(const Math& math, std::string_view tex, bool dis
                                                                   .address_of = address,
                                                                   .words = speech_.words(math),
                                                                   .tex = tex_to_copy(math, tex)});
-  return !display && is_long(html) ? "<span class=\"long\">" + html + "</span>" : html;
+  return !display && signs_of(html) > kMostSigns ? "<span class=\"long\">" + html + "</span>" : html;
 }
 
 /// As other programs read it: with its numbers, and without what only this one knows.
@@ -210,7 +240,7 @@ std::string LessonHtml::spans(const std::vector<TextSpan>& all) const {
     }
     if (!address.empty()) html += "</a>";
   }
-  return html;
+  return kept_together(html);
 }
 
 std::string LessonHtml::table(const TextTable& table) const {
@@ -279,7 +309,7 @@ std::string LessonHtml::line(std::string_view words) const {
     at = found.end + 1;
   }
   add_words(words.substr(at));
-  return html;
+  return kept_together(html);
 }
 
 }  // namespace polhode

@@ -395,6 +395,7 @@ std::string words_of_script(Language language) {
       {"aNumber", words::kTypeANumber}, {"aNumberIn", words::kTypeANumberIn},
       {"copyTex", words::kCopyTex},     {"copyTexOf", words::kCopyTexOf},
       {"copied", words::kCopied},       {"wider", words::kWiderThanPage},
+      {"larger", words::kLarger},       {"smaller", words::kSmaller},
   };
   std::string json = fmt::format("{{\"decimal\":\"{}\"", decimal_mark(language));
   for (const auto& [name, phrase] : kWords) json += fmt::format(",\"{}\":\"{}\"", name, phrase.in(language));

@@ -121,6 +121,9 @@ fs::path made(const fs::path& lesson, const char* option, const fs::path& file) 
   return file;
 }
 
+constexpr std::array<const char*, 6> kLessons = {"euler-equations", "symmetric-top", "intermediate-axis",
+                                                 "heavy-top",       "numerical-lab", "intermediate-axis.de"};
+
 class AccessibleInBrowser : public testing::Test {
  protected:
   void SetUp() override {
@@ -150,8 +153,7 @@ TEST_F(AccessibleInBrowser, PagesToReadAndTheirIndexAndSlides) {
 TEST_F(AccessibleInBrowser, EveryLesson) {
   const std::string axe = axe_core();
   const auto firefox = Firefox::start(1280, 900);  // may be null
-  for (const char* name :
-       {"euler-equations", "symmetric-top", "intermediate-axis", "heavy-top", "numerical-lab"}) {
+  for (const char* name : kLessons) {
     const fs::path lesson = test::source_dir() / "lessons" / (std::string(name) + ".md");
     const fs::path page = made(lesson, "--reader", folder_ / (std::string(name) + ".html"));
     expect_accessible(*browser_, page, axe);
@@ -230,6 +232,17 @@ TEST_F(AccessibleInBrowser, TheKeyboardComesEverywhereInFirefox) {
   expect_keyboard(*firefox, made(folder_ / "edition.md", "--reader", folder_ / "page.html"));
   firefox->resize(320, 740);
   expect_keyboard(*firefox, folder_ / "page.html");
+}
+
+TEST_F(AccessibleInBrowser, EveryLessonByTheKeyboard) {
+  const auto firefox = Firefox::start(1280, 900);  // may be null
+  browser_->resize(1280, 900);
+  for (const char* name : kLessons) {
+    const fs::path lesson = test::source_dir() / "lessons" / (std::string(name) + ".md");
+    const fs::path page = made(lesson, "--reader", folder_ / (std::string(name) + ".html"));
+    expect_keyboard(*browser_, page);
+    if (firefox) expect_keyboard(*firefox, page);
+  }
 }
 
 }  // namespace

@@ -66,6 +66,51 @@ TEST_F(ReaderInBrowser, BearsTheSpacingOfText) {
   EXPECT_LE(value_of("document.documentElement.scrollWidth").get<int>(), 320);
 }
 
+TEST_F(ReaderInBrowser, EnlargesAFigureThatIsShownSmall) {
+  open(kEditionLesson);
+  const std::string figure = "document.querySelector('.step > figure')";
+  const auto shown = [&] { return value_of(figure + ".querySelector('img').clientWidth").get<int>(); };
+  const auto fits = [&] { return value_of("document.documentElement.scrollWidth").get<int>() <= 360; };
+  const int small = shown();
+  EXPECT_LE(small, 360);
+  value_of(figure + ".querySelector('button.larger').focus()");
+  EXPECT_EQ(value_of("document.activeElement.textContent"), "Larger");
+  browser_->press("Enter");
+  EXPECT_GE(shown(), 600);
+  EXPECT_TRUE(fits()) << "the figure alone scrolls";
+  EXPECT_EQ(value_of(figure + ".querySelector('.frame').tabIndex"), 0) << "so do keys";
+  EXPECT_EQ(value_of("document.activeElement.textContent"), "Smaller");
+  browser_->press("Enter");
+  EXPECT_EQ(shown(), small);
+  value_of(figure + ".querySelector('img').click()");
+  EXPECT_GE(shown(), 600);
+  browser_->resize(1600, 900);
+  value_of(figure + ".querySelector('button.larger').click()");
+  EXPECT_EQ(browser_->wait_for(figure + ".querySelector('button.larger').hidden", true), true)
+      << "it is large enough";
+  EXPECT_THAT(browser_->complaints(), IsEmpty());
+}
+
+// Browsers break lines beside a formula whatever stands there.
+TEST_F(ReaderInBrowser, KeepsMarksBesideTheirFormulas) {
+  std::string text = "So";
+  for (int i = 0; i < 40; ++i)
+    text += " a" + std::string(static_cast<std::size_t>(i % 7), 'a') + " ($\\omega$), of $5$&nbsp;%.";
+  std::string lesson = kEditionLesson;
+  const std::string first = "First **words**";
+  lesson.replace(lesson.find(first), first.size(), text);
+  open(lesson);
+  EXPECT_GE(value_of("document.querySelectorAll('.word').length").get<int>(), 80);
+  for (const int width : {320, 345, 360, 400}) {
+    browser_->resize(width, 740);
+    EXPECT_EQ(
+        value_of("[...document.querySelectorAll('.word')].filter((word) => word.getClientRects().length > 1)"
+                 ".length"),
+        0);
+    EXPECT_LE(value_of("document.documentElement.scrollWidth").get<int>(), width);
+  }
+}
+
 TEST_F(ReaderInBrowser, JudgesChoices) {
   open(kEditionLesson);
   EXPECT_EQ(said("pick"), "");

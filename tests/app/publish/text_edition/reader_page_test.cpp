@@ -288,6 +288,25 @@ TEST(Reader, AFigureHasItsWordsAndItsNumbers) {
   EXPECT_EQ(words_of(*all_named(*figures[1], "figcaption").at(0)), "It keeps to 2.00 rad/s");
 }
 
+TEST(Reader, MarksAndUnitsStayBesideTheirFormulas) {
+  std::string lesson = kEditionLesson;
+  const std::string first = "First **words**";
+  lesson.replace(lesson.find(first), first.size(),
+                 "Alone $a$ here, ($b$), $c$&nbsp;kg and [$d$](#asked), **$e$**. $f$$g$ "
+                 "($a + b + c + d + e + f + g + h + i + j + k$)");
+  const Edition page(lesson);
+  std::vector<std::string> words;
+  for_each_node(page.root, [&](const XmlNode& node) {
+    if (node.name != "span" || node.attribute("class") != "word") return;
+    std::string word;
+    add_words(node, word);
+    words.push_back(word);
+  });
+  ASSERT_GE(words.size(), 4u);
+  words.resize(4);
+  EXPECT_THAT(words, ElementsAre("(b),", "c\u00A0kg", "fg", "t equals 0 it"));
+}
+
 TEST(Reader, TheTexToCopyHasItsNumbers) {
   std::set<std::string> tex;
   for (const XmlNode* note : all_named(edition().root, "annotation")) tex.insert(note->children.front().text);
