@@ -268,8 +268,23 @@ double small_type(const PageRequest& request, double px) {
   return request.scrolls ? std::max(px, kLeastSmall) : px;
 }
 
+struct Captions {
+  std::vector<std::string> words;  ///< of each scene that is shown
+  bool rooms_alone = false;        ///< of the lesson's: its room stays, and nothing is written there
+};
+
+Captions captions_of(const PageRequest& request, const FigureCell& cell, const FittedText& text) {
+  Captions captions{captions_at(request.lesson, *cell.step, *cell.model, cell.t_s, text.in_captions)};
+  const bool has_none = std::all_of(captions.words.begin(), captions.words.end(),
+                                    [](const std::string& one) { return one.empty(); });
+  captions.rooms_alone = request.scrolls && has_none && cell.step->scene;
+  if (captions.rooms_alone)
+    captions.words = lesson_captions_at(request.lesson, *cell.step, *cell.model, cell.t_s, text.in_captions);
+  return captions;
+}
+
 PlacedFigure figure_on_page(const PageRequest& request, const FigureCell& cell, const Grid& grid,
-                            std::vector<std::string> captions, bool rooms_alone, const Fonts& fonts) {
+                            Captions captions, const Fonts& fonts) {
   FigurePlace place{.rect = cell.figure,
                     .caption_px = small_type(request, kCaptionSize * grid.small_em),
                     .theme = request.theme,
@@ -279,9 +294,9 @@ PlacedFigure figure_on_page(const PageRequest& request, const FigureCell& cell, 
     place.ground = colors_of(request.theme).backdrop;
     place.background = {Background::Kind::color, *place.ground};
   }
-  place.captions = std::move(captions);
+  place.captions = std::move(captions.words);
   place.is_frame = request.is_frame;
-  place.rooms_alone = rooms_alone;
+  place.rooms_alone = captions.rooms_alone;
   return place_figure(*cell.model, cell.t_s, place, fonts);
 }
 
@@ -582,15 +597,7 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   page.column_shapes = page.sheet.shapes.size();
   page.column_texts = page.sheet.texts.size();
   for (const FigureCell& cell : placed_figures(request, text, grid)) {
-    const Step& step = *cell.step;
-    std::vector<std::string> captions =
-        captions_at(request.lesson, step, *cell.model, cell.t_s, text.in_captions);
-    const bool has_none =
-        std::all_of(captions.begin(), captions.end(), [](const std::string& one) { return one.empty(); });
-    const bool rooms_alone = request.scrolls && has_none && step.scene;
-    if (rooms_alone)
-      captions = lesson_captions_at(request.lesson, step, *cell.model, cell.t_s, text.in_captions);
-    PlacedFigure figure = figure_on_page(request, cell, grid, std::move(captions), rooms_alone, fonts);
+    PlacedFigure figure = figure_on_page(request, cell, grid, captions_of(request, cell, text), fonts);
     std::move(figure.insets.begin(), figure.insets.end(), std::back_inserter(page.insets));
     append(page.sheet, std::move(figure.sheet), {0, 0});
     add_meters(request, cell, figure.plots, grid, page, fonts);
@@ -616,22 +623,40 @@ Size picture_size_of(const SceneModel& model, int width) {
   return {width, static_cast<int>(std::lround(parts * width))};
 }
 
-Page compose_picture(const PageRequest& request, const Fonts& fonts) {
+namespace {
+
+/// With the captions of the text; null: without any.
+Page picture_of(const PageRequest& request, const FittedText* text, const Fonts& fonts) {
   const SceneModel& model = *request.model;
   const double w = request.size.width - request.covered, h = request.size.height, em = kPictureEm * w;
   const double rows = are_plots_alone(model) ? 0.0 : static_cast<double>(meter_rows(model, false));
   const double below = kPicturePlots * rows / (kPictureFigure + kPicturePlots * rows) * h;
   const Grid grid{em, em, {}, rounded(0, 0, w, h - below), {0, h - below, w, h}};
-  const FigureCell cell{.model = &model, .t_s = request.t_s, .figure = grid.figure, .meters = grid.meters};
+  const FigureCell cell{.step = &request.stage.steps[static_cast<std::size_t>(request.step) - 1],
+                        .model = &model,
+                        .t_s = request.t_s,
+                        .figure = grid.figure,
+                        .meters = grid.meters};
   Page page;
-  PlacedFigure figure =
-      figure_on_page(request, cell, grid, std::vector<std::string>(shown_models(model).size()), false, fonts);
+  Captions captions{std::vector<std::string>(shown_models(model).size())};
+  if (text != nullptr) captions = captions_of(request, cell, *text);
+  PlacedFigure figure = figure_on_page(request, cell, grid, std::move(captions), fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});
   add_meters(request, cell, figure.plots, grid, page, fonts);
   page.meters = grid.meters;
   page.figure = {0, 0, w, h - below};
   return page;
+}
+
+}  // namespace
+
+Page compose_picture(const PageRequest& request, const Fonts& fonts) {
+  return picture_of(request, nullptr, fonts);
+}
+
+Page compose_picture(const PageRequest& request, const FittedText& text, const Fonts& fonts) {
+  return picture_of(request, &text, fonts);
 }
 
 }  // namespace polhode

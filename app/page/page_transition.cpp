@@ -154,13 +154,29 @@ class PageTransition {
 
   void vanish(const Piece& part) { add_faded(part, leaving(), panel_that_leaves(part), std::nullopt); }
 
+  /// What stands between the places of the line that flies steps back while it comes by.
+  void step_back(PlacedType& text) const {
+    if (!main_) return;
+    constexpr double kLeast = 0.15;
+    const auto& from = main_before_.piece->sheet.texts[*main_before_.piece->formula];
+    const auto& to = main_.piece->sheet.texts[*main_.piece->formula];
+    const double y0 = from.at.y() + main_before_.corner.y(), y1 = to.at.y() + main_.corner.y();
+    const double top = std::min(y0 - from.list.ascent, y1 - to.list.ascent),
+                 bottom = std::max(y0 + from.list.depth, y1 + to.list.depth);
+    if (text.at.y() + text.list.depth < top || text.at.y() - text.list.ascent > bottom) return;
+    const double on_the_way = morphed(way_);
+    fade(text.list, 1.0 - (1.0 - kLeast) * 4.0 * on_the_way * (1.0 - on_the_way));
+  }
+
   void move(const Piece& a, const Piece& b) {
     const std::size_t panel = panel_that_leaves(a);
     move_shapes(a, panel, b);
     const std::vector<PlacedType>&before = a.sheet().texts, &after = b.sheet().texts;
     if (before.size() == after.size()) {
-      for (std::size_t i = 0; i < after.size(); ++i)
+      for (std::size_t i = 0; i < after.size(); ++i) {
         sheet_.texts.push_back(on_its_way(before[i], a.corner, after[i], b.corner, way_));
+        step_back(sheet_.texts.back());
+      }
       return;
     }
     // Whole on one page, an equation alone on the other.

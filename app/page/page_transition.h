@@ -11,7 +11,8 @@ namespace polhode {
 /// which are not here), at 1 as on the next. What both pages show moves straight, with its size; words that
 /// change lines vanish here and appear there. The new equation in focus is a morph out of the one before,
 /// which itself stays where the page keeps it. What is gone fades early, what else is new appears late, when
-/// room has been made for it. Without `from` all stands and what is newest appears.
+/// room has been made for it; what the equation flies over is faint meanwhile. Without `from` all stands and
+/// what is newest appears.
 Sheet column_on_its_way(const FittedText* from, const FittedText& to, double way);
 
 /// The opacity of what is new when this part of the way is done.

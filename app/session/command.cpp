@@ -2,6 +2,7 @@
 #include "app/session/command.h"
 
 #include "app/session/camera_moves.h"
+#include "render/scene/model/scene_needs.h"
 
 #include <algorithm>
 #include <array>
@@ -84,6 +85,13 @@ void toggle_ghost(LessonSession& session) {
   edits.motion = session.model()->scene.motion;
   edits.motion->ghost = !edits.motion->ghost;
   static_cast<void>(session.set_edits(edits));
+}
+
+/// Empty: it is to be seen.
+std::string why_no_ghost(Scene scene) {
+  if (!is_computed(scene)) return "Nothing more exact is known to stand beside it: M chooses a method.";
+  scene.motion.ghost = true;
+  return requirements(scene).ghost ? "" : "Neither the body nor ω nor L is shown, whose ghost one would see.";
 }
 
 /// By a fiftieth of its range.
@@ -287,6 +295,8 @@ std::string why_idle(const LessonSession& session, Command command) {
     case C::larger_second_number:
     case C::smaller_second_number:
       return session.variations().size() > 1 ? "" : "This step has no second number to vary.";
+    case C::ghost:
+      return why_no_ghost(session.model()->scene);
     case C::reset_scene:
       return !session.edits().empty() || session.is_following() ? "" : "This is the lesson's scene.";
     case C::undo:

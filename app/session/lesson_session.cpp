@@ -139,8 +139,10 @@ void LessonSession::arrive(StepPlace place) {
   if (!same_stage) following_ = false;
   show_lesson_scene();
   const auto kept = kept_.find(step().scene.get());
-  const bool comes_back = kept != kept_.end() && set_edits(kept->second);
-  undo_.clear();
+  const bool is_kept = kept != kept_.end() && set_edits(kept->second.edits);
+  const bool comes_back = is_kept && !kept->second.edits.empty();
+  undo_ = is_kept ? kept->second.undo : std::vector<Change>{};
+  change_is_new_ = true;
   if (goes_on) {
     set_time(t_s);
     playing_ = playing;
@@ -152,10 +154,10 @@ void LessonSession::arrive(StepPlace place) {
 void LessonSession::keep_edits() {
   if (!has_scene()) return;
   const SceneEdits& made = aside_ ? aside_->before : edits_;
-  if (made.empty())
+  if (made.empty() && undo_.empty())
     kept_.erase(step().scene.get());
   else
-    kept_[step().scene.get()] = made;
+    kept_[step().scene.get()] = {made, undo_};
 }
 
 void LessonSession::set_visited(const std::set<std::string>& stages) {
@@ -528,7 +530,9 @@ const AnswerRecord* LessonSession::record(const Ask& ask) const {
   return found == answers_.end() ? nullptr : &found->second;
 }
 
-DerivationWork& LessonSession::derivation(const Ask& ask) {
+DerivationWork& LessonSession::derivation(const Ask& ask) { return found_derivation(ask); }
+
+DerivationWork& LessonSession::found_derivation(const Ask& ask) const {
   const auto [found, is_new] = derivations_.try_emplace(ask.id, lesson(), ask);
   const AnswerRecord* kept = is_new ? record(ask) : nullptr;
   if (kept != nullptr) found->second.restore(kept->last);
@@ -568,16 +572,16 @@ ShownDerivedLine shown_line(const LineJudgement& judgement) {
 
 ShownDerivation LessonSession::shown_derivation() const {
   for (const Ask* ask : questions()) {
-    const auto work = derivations_.find(ask->id);
-    if (work == derivations_.end()) continue;
+    if (!ask->derivation || (!derivations_.contains(ask->id) && record(*ask) == nullptr)) continue;
+    const DerivationWork& work = found_derivation(*ask);
     ShownDerivation shown{ask, {}};
-    for (const DerivationWork::TypedLine& line : work->second.lines())
+    for (const DerivationWork::TypedLine& line : work.lines())
       shown.lines.push_back(shown_line(line.judgement));
-    if (work->second.is_too_short()) {  // it is true, and not yet shown
+    if (work.is_too_short()) {  // it is true, and not yet shown
       shown.lines.back().word = "the goal itself: show the way";
       shown.lines.back().certainty = Certainty::open;
     }
-    const std::string typing = work->second.typed_tex();
+    const std::string typing = work.typed_tex();
     if (!typing.empty() && (shown.lines.empty() || shown.lines.back().tex != typing))
       shown.lines.push_back({typing, "", Certainty::stated});
     return shown;

@@ -205,7 +205,7 @@ class LessonSession {
   /// Judges a line of it, and notes how far it goes.
   void derive(const Ask& ask, std::string_view line);
   void undo_derived_line(const Ask& ask);
-  /// What the page shows of that of the present step; empty before it was begun.
+  /// What the page shows of that of the present step; empty before it was begun, now or earlier.
   ShownDerivation shown_derivation() const;
 
   // How it is shown.
@@ -252,6 +252,7 @@ class LessonSession {
  private:
   void arrive(StepPlace place);
   void leave_answered();
+  DerivationWork& found_derivation(const Ask& ask) const;
   void show_lesson_scene();
   Scene scene_with(const SceneEdits& edits) const;
   void make_model_of(const SceneEdits& edits);
@@ -296,11 +297,15 @@ class LessonSession {
   };
   std::vector<Change> undo_;  ///< each change of this scene
   bool change_is_new_ = true;
-  std::map<const Scene*, SceneEdits> kept_;  ///< of scenes that were left
+  struct Kept {
+    SceneEdits edits;
+    std::vector<Change> undo;
+  };
+  std::map<const Scene*, Kept> kept_;  ///< of scenes that were left
   std::string lit_;
   AnswerLog answers_;
-  std::map<std::string, JudgedAnswer> judged_;         ///< by ask, since the place was reached
-  std::map<std::string, DerivationWork> derivations_;  ///< likewise
+  std::map<std::string, JudgedAnswer> judged_;                 ///< by ask, since the place was reached
+  mutable std::map<std::string, DerivationWork> derivations_;  ///< likewise; read again when asked for
   struct Awaited {
     std::string ask;
     double to_s = 0;

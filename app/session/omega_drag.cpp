@@ -5,6 +5,7 @@
 #include "physics/geometry/poinsot.h"
 #include "physics/method.h"
 #include "render/figure/omega_tip.h"
+#include "render/scene/model/scene_needs.h"
 #include "render/scene/model/scene_problem.h"
 
 #include <algorithm>
@@ -164,6 +165,22 @@ double turned_at_start(Scene scene, const RigidBodyState& now) {
   return 2.0 * std::atan2(turn.z(), turn.w());
 }
 
+/// The camera goes round the vertical with all that is seen. So does the frame that it keeps, whose middle is
+/// beside the vertical; where the motion decides on it, it is that of the same motion, turned.
+void turn_about_vertical(CameraSpec& camera, const Scene& scene, double by_rad) {
+  const auto turn = [&](double& azimuth_rad) {
+    azimuth_rad = std::remainder(azimuth_rad + by_rad, 2.0 * std::numbers::pi);
+  };
+  CameraFit& fitted = *camera.fitted;  // that of held_by_hand
+  turn(camera.azimuth_rad);
+  turn(fitted.azimuth_rad);
+  if (!frame_needs_motion(scene)) return;
+  Scene begun = scene;
+  begun.w0_B = *fitted.w0_B;
+  begun.attitude = fitted.attitude;
+  fitted.attitude = Quat(Eigen::AngleAxisd(by_rad, Vec3::UnitZ())) * problem_of(begun).start.q_SB;
+}
+
 double distance_of(const Camera& camera) { return (camera.eye - camera.target).norm(); }
 
 /// A motion that begins in the present state has another frame than the one that led to it. It is seen from
@@ -215,8 +232,7 @@ std::optional<GrabbedOmega> held_now(const SceneModel& model, double t_s, const 
       holds_L && has_to ? std::nullopt : std::optional<AttitudeSpec>(now.q_SB);
   CameraSpec camera = held_by_hand(model.scene);
   if (!attitude && model.scene.views == std::vector{View::space})
-    camera.azimuth_rad =
-        std::remainder(camera.azimuth_rad + turned_at_start(model.scene, now), 2.0 * std::numbers::pi);
+    turn_about_vertical(camera, model.scene, turned_at_start(model.scene, now));
   keep_frame(camera, model, inset, pane, attitude, now.w_B);
   const Vec2 offset = offset_of(model, t_s, inset, pane, attitude, camera, now.w_B);
   return GrabbedOmega{now.w_B, attitude, camera, offset};
@@ -305,12 +321,12 @@ bool begin_before(const SceneModel& model, double t_s, const Inset& inset, std::
   if (grabbed.attitude) grabbed.attitude = start.q_SB;
   // The frame is that of this beginning, not of one at the moment.
   CameraSpec camera = held_by_hand(model.scene);
-  camera.azimuth_rad = grabbed.camera.azimuth_rad;
+  double by_rad = grabbed.camera.azimuth_rad - camera.azimuth_rad;
   if (!grabbed.attitude && views.front() == View::space) {
     const Quat turn = reached.q_SB * then.q_SB.inverse();
-    camera.azimuth_rad =
-        std::remainder(camera.azimuth_rad + 2.0 * std::atan2(turn.z(), turn.w()), 2.0 * std::numbers::pi);
+    by_rad += 2.0 * std::atan2(turn.z(), turn.w());
   }
+  if (by_rad != 0) turn_about_vertical(camera, model.scene, by_rad);
   keep_frame(camera, model, inset, pane, grabbed.attitude, start.w_B);
   grabbed.camera = camera;
   grabbed.offset = Vec2(0, 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/window.h"
 
+#include "app/session/words/step_words.h"
 #include "app/window/controls/control_input.h"
 #include "app/window/desktop_watch.h"
 #include "app/window/display.h"
@@ -27,8 +28,8 @@ constexpr double kLeastFrame_s = 1.0 / 60, kClock_s = 1e-3;
 constexpr double kLongestWait_s = 0.5, kWatchEvery_s = 0.25;
 
 std::string title_of(const LessonSession& session, const std::string& stage) {
-  return fmt::format("{} — stage {} of {}, step {} of {} — polhode", stage, session.place().stage + 1,
-                     session.lesson().stages.size(), session.place().step + 1, session.stage().steps.size());
+  return fmt::format("{} — {}, step {} of {} — polhode", stage, stage_count(session),
+                     session.place().step + 1, session.stage().steps.size());
 }
 
 /// The loop of events and frames.
@@ -234,7 +235,9 @@ class Loop {
     full_screen_.set(fills || (was_full_ && !session_.has_speaker()));
   }
 
+  /// A frozen page keeps its own.
   void update_title() {
+    if (session_.is_frozen()) return;
     const std::string title = title_of(session_, screen().stage_title());
     if (title == title_) return;
     title_ = title;

@@ -289,9 +289,18 @@ Figure make_figure(const SceneModel& model, double t_s, double aspect, double le
   return figure;
 }
 
+bool draws_omega(const SceneModel& model) {
+  const auto is_omega = [](const ArrowMark& arrow) {
+    return arrow.of.overlay == Overlay::omega && !arrow.at && !arrow.length && !arrow.like;
+  };
+  const std::vector<ArrowMark>& arrows = model.scene.marks.arrows;
+  return model.drawn.contains(Overlay::omega) ||
+         (model.needs.marks && std::any_of(arrows.begin(), arrows.end(), is_omega));
+}
+
 std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect) {
   const std::vector<View>& views = model.scene.views;
-  if (!model.drawn.contains(Overlay::omega) || pane >= views.size()) return std::nullopt;
+  if (!draws_omega(model) || pane >= views.size()) return std::nullopt;
   const builders::Snapshot m = builders::snapshot_at(model, t_s, views[pane]);
   if (m.state.w_B.isZero(0.0)) return std::nullopt;
   return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect / static_cast<double>(views.size()),
@@ -343,8 +352,7 @@ TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
 std::optional<DrawnOmega> TrialOmega::at(const Vec3& w0_B) {
   trial_.scene.w0_B = w0_B;
   const std::vector<View>& views = trial_.scene.views;
-  if (!trial_.drawn.contains(Overlay::omega) || pane_ >= views.size() || w0_B.isZero(0.0))
-    return std::nullopt;
+  if (!draws_omega(trial_) || pane_ >= views.size() || w0_B.isZero(0.0)) return std::nullopt;
   RigidBodyState start{Quat::Identity(), w0_B};
   if (trial_.needs.attitude) start.q_SB = problem_of(trial_.scene).start.q_SB;
   const builders::Snapshot m = builders::snapshot_in(trial_, 0.0, views[pane_], start);

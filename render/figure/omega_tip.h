@@ -16,6 +16,10 @@ struct DrawnOmega {
   Camera camera;
 };
 
+/// Whether ω is drawn from the centre at the scale of a figure: by its overlay, or by an arrow of the
+/// lesson's that is ω as it is.
+bool draws_omega(const SceneModel& model);
+
 /// In a pane (one for each view) of the figure of this width / height; as make_figure draws it. Nothing where
 /// no ω is drawn.
 std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect);

@@ -57,4 +57,7 @@ Result<FittedText> fit_slide(const PageRequest& request, double scale, double wi
 Result<bool> fits_slide(const PageRequest& request, double width, double height, double em,
                         double least_formula, bool has_to_recall, const Fonts& fonts);
 
+/// As compose_picture (page.h), with the captions of a text that was set for the request.
+Page compose_picture(const PageRequest& request, const FittedText& text, const Fonts& fonts);
+
 }  // namespace polhode

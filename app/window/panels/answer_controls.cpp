@@ -17,6 +17,13 @@ void keep_typing(bool is_wanted) {
     ImGui::SetWindowFocus(nullptr);
 }
 
+void take_keyboard_by_tab(PanelContext& context) {
+  if (context.is_reached && ImGui::IsItemFocused()) {
+    ImGui::SetKeyboardFocusHere(-1);
+    context.is_reached = false;
+  }
+}
+
 bool text_field(PanelContext& context, const char* id, const char* form, const char* button,
                 std::string& typed) {
   const ImGuiStyle& style = ImGui::GetStyle();
@@ -24,6 +31,7 @@ bool text_field(PanelContext& context, const char* id, const char* form, const c
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - behind);
   if (std::exchange(context.take_focus, false)) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputTextWithHint(id, form, &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  take_keyboard_by_tab(context);
   if (typed.empty()) show_hint_from_left();
   if (entered && typed.empty()) keep_typing(true);
   return entered && !typed.empty();

@@ -14,6 +14,8 @@ namespace polhode {
 /// A panel that was opened by a key begins in its first field.
 bool text_field(PanelContext& context, const char* id, const char* form, const char* button,
                 std::string& typed);
+/// Behind a field: Tab that has reached it goes on into it.
+void take_keyboard_by_tab(PanelContext& context);
 /// Behind a field that took Enter: it keeps the keyboard for another try, or lets go of it.
 void keep_typing(bool is_wanted);
 /// Below a field: whether keys go to it, to the panel or to the page. Takes the same room in each case.

@@ -4,6 +4,7 @@
 #include "app/window/panels/panels.h"
 #include "base/angles.h"
 #include "physics/body/euler.h"
+#include "render/figure/omega_tip.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -146,7 +147,7 @@ void BodyPanel::edit_omega(PanelContext& context, const Scene& scene) const {
     (*edits.w0_B)[i] = component;
     context.requests.edits = edits;
   }
-  const bool is_drawn = context.session.model()->drawn.contains(Overlay::omega);
+  const bool is_drawn = draws_omega(*context.session.model());
   if (scene.body.name == kEarth) quiet_words("The Earth turns once in 23 h 56 min.");
   quiet_words(is_drawn ? "Body axes, at t = 0. Or take the tip of ω in the figure." : "Body axes, at t = 0.");
 }

@@ -50,12 +50,18 @@ void draw_help(PanelContext& context) {
       "In a panel that a key has opened arrows go from control to control; here they scroll. Space presses a "
       "button, and takes a slider, which arrows then move; Enter types a number into it. F6 goes back to the "
       "page. After a click in a panel arrows and Space are the page's.");
+  heading("Questions");
+  quiet_words(
+      "While Answer is open a letter or a digit picks that choice, or begins what is typed. Tab leaves a "
+      "field "
+      "for the next control and comes back to it, Escape leaves it for the page.");
   heading("Lines that turn into others");
   quiet_words("Left and then Right plays the way of a line again.");
   heading("Mouse");
   quiet_words(
       "Rest on a symbol for its meaning and value. Drag the figure to turn it, the wheel zooms, a double "
-      "click puts it back; take the tip of ω to start another motion. The wheel over the text scrolls it. "
+      "click puts it back; take the tip of ω to start another motion with the same T, with Shift to change "
+      "its length. The wheel over the text scrolls it. "
       "Rest on a plot for its values, click or drag there for the time. The right button offers what can be "
       "done with the text or the figure there.");
 }

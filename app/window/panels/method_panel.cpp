@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "app/session/method_words.h"
 #include "app/session/symbol_note.h"
+#include "app/session/words/method_words.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
 #include "physics/method.h"
@@ -244,11 +244,15 @@ void MethodPanel::draw(PanelContext& context, const std::string& refusal) {
   choose_step(context, *session.model());
   if (!refusal.empty()) warning_words(refusal);
   bool ghost = session.model()->scene.motion.ghost;
+  const std::string why_not = why_idle(session, Command::ghost);
+  ImGui::BeginDisabled(!why_not.empty());
   if (ImGui::Checkbox("the exact body beside it, as a ghost", &ghost)) {
     MotionSpec motion = session.model()->scene.motion;
     motion.ghost = ghost;
     set_motion(context, motion);
   }
+  ImGui::EndDisabled();
+  tooltip_of_last(why_not);
   heading("Now");
   show_accuracy(context, *session.model());
   heading("Picture");

@@ -116,13 +116,14 @@ void OutlinePanel::choose_for_class(PanelContext& context) {
     return;
   }
   quiet_words(
-      "What has no mark is passed over while you present, and is not in the slides that Save makes. Without "
-      "any mark all stages are shown.");
+      "What has no mark is passed over while you present, and is not in the slides that Save makes. As long "
+      "as "
+      "there is no mark, all stages are shown.");
   if (ImGui::Button("Done")) chooses_ = false;
   ImGui::SameLine();
   if (ImGui::Button("All")) session.set_left_out({});
   ImGui::SameLine();
-  if (ImGui::Button("None")) {
+  if (ImGui::Button("No marks")) {
     std::set<std::string> stages;
     for (const Stage& stage : session.lesson().stages) stages.insert(stage.id);
     session.set_left_out(stages);
@@ -173,6 +174,7 @@ void OutlinePanel::draw(PanelContext& context) {
   const std::string before = looked_for_;
   const bool entered = ImGui::InputTextWithHint("##find", "find in this lesson", &looked_for_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
+  take_keyboard_by_tab(context);
   tooltip_of_last(told(Command::find));
   if (looked_for_.empty()) show_hint_from_left();
   if (looked_for_ != before || (searched_ && searched_ != session.loaded_pointer())) find(context);

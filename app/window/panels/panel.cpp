@@ -35,8 +35,8 @@ void focus_first_control() {
 }
 
 /// Asked for before the contents are drawn; the next frame has the result.
-void move_focus(ImGuiDir to) {
-  ImGui::NavMoveRequestSubmit(to, to, ImGuiNavMoveFlags_None, ImGuiScrollFlags_KeepVisibleEdgeY);
+void move_focus(ImGuiDir to, ImGuiNavMoveFlags flags) {
+  ImGui::NavMoveRequestSubmit(to, to, flags, ImGuiScrollFlags_KeepVisibleEdgeY);
 }
 
 }  // namespace
@@ -87,14 +87,23 @@ void Panels::begin_frame() {
 }
 
 /// To what stands beside the control on its line; where there is nothing, which the next frame tells, to the
-/// next line.
-void Panels::step_focus() {
+/// next line, and behind the last one to the first. True: it has come to another control.
+bool Panels::step_focus() {
+  constexpr int kMostFrames = 5;
   const ImGuiID now = ImGui::GetCurrentContext()->NavId;
+  const bool is_reached = frames_to_reach_ > 0 && now != stepped_from_;
+  frames_to_reach_ = is_reached ? 0 : std::max(0, frames_to_reach_ - 1);
   const int beside = std::exchange(beside_, 0);
-  if (beside != 0 && now == stepped_from_) move_focus(beside > 0 ? ImGuiDir_Down : ImGuiDir_Up);
+  if (beside != 0 && now == stepped_from_)
+    move_focus(beside > 0 ? ImGuiDir_Down : ImGuiDir_Up, ImGuiNavMoveFlags_LoopY);
   beside_ = std::exchange(steps_, 0);
+  if (beside_ == 0) return is_reached;
+  if (ImGui::GetIO().WantTextInput) ImGui::ClearActiveID();
+  takes_keys_ = true;
   stepped_from_ = now;
-  if (beside_ != 0) move_focus(beside_ > 0 ? ImGuiDir_Right : ImGuiDir_Left);
+  frames_to_reach_ = kMostFrames;
+  move_focus(beside_ > 0 ? ImGuiDir_Right : ImGuiDir_Left, ImGuiNavMoveFlags_None);
+  return false;
 }
 
 void Panels::draw(PanelContext& context, const Region& region) {
@@ -116,10 +125,11 @@ void Panels::draw(PanelContext& context, const Region& region) {
   if (is_focused && context.take_focus) takes_keys_ = !asks;
   const bool opens_by_key = is_focused && context.take_focus && !asks && !context.finds;
   if ((std::exchange(shows_focus_, false) || opens_by_key) && !only_scrolls) focus_first_control();
-  if (is_focused) step_focus();
+  context.is_reached = is_focused && step_focus();
   has_focus_ = is_focused && (takes_keys_ || (io.NavVisible && !asks) || io.WantTextInput);
   awaits_text_ =
-      is_focused && !takes_keys_ && !io.WantTextInput && has_text_field(context.session, outline_.finds());
+      is_focused && !io.WantTextInput &&
+      (frames_to_reach_ > 0 || (!takes_keys_ && has_text_field(context.session, outline_.finds())));
   context.has_keys = has_focus_;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRectFullScreen();
@@ -133,7 +143,9 @@ void Panels::draw(PanelContext& context, const Region& region) {
   ImGui::PopFont();
   const std::pair now(context.session.panel, context.session.place());
   const std::pair before = std::exchange(shown_, now);
-  if (before != now) refusal_.clear();
+  const bool is_same_model =
+      std::exchange(refused_of_, context.session.model_number()) == context.session.model_number();
+  if (before != now || !is_same_model) refusal_.clear();
   ImGui::BeginChild("contents", {0, 0}, false,
                     only_scrolls ? ImGuiWindowFlags_NoNavInputs : ImGuiWindowFlags_NavFlattened);
   if (before.first != now.first) ImGui::SetScrollY(0);

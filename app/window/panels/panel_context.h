@@ -54,6 +54,7 @@ struct PanelContext {
   bool finds = false;                          ///< and words are to be typed that are looked for
   const Ask* typed_to = nullptr;               ///< whose field takes it; null: the first that there is
   bool has_keys = false;                       ///< keys are for the panel (Panels::has_focus)
+  bool is_reached = false;                     ///< Tab has just come to the control that has the focus
 };
 
 /// Of the bar in a window of this width: narrow ones have two rows.

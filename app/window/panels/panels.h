@@ -86,8 +86,13 @@ class QuestionsPanel {
   void draw_question(PanelContext& context, const Ask& ask, std::size_t number, std::size_t count);
   void draw_forget(PanelContext& context, const Ask& ask);
   void draw_earlier(PanelContext& context, bool is_alone);
+  void draw_as_set(PanelContext& context, const Ask& ask);
 
+  struct SetExpression {
+    std::string typed, tex;
+  };
   std::map<std::string, std::string> typed_;  ///< by "stage/question"
+  std::map<std::string, SetExpression> set_;  ///< likewise
   std::string forgetting_;                    ///< the one of which that is asked; empty: none
 };
 
@@ -124,7 +129,8 @@ class Panels {
   /// shows which of its controls has them.
   void take_keys() { takes_keys_ = shows_focus_ = true; }
   /// Tab in a panel that has the keys: to the control behind (1) or before (-1) the present one, as one
-  /// reads.
+  /// reads; from the last to the first. It leaves a field that is typed in, and one that it reaches is typed
+  /// in.
   void tab(int way) { steps_ = way; }
   /// What is pressed from now on is for the page, whatever had the focus.
   void leave_keys();
@@ -133,7 +139,7 @@ class Panels {
 
  private:
   void draw_contents(PanelContext& context);
-  void step_focus();
+  bool step_focus();
   void make_edits(PanelContext& context);
 
   OutlinePanel outline_;
@@ -144,6 +150,7 @@ class Panels {
   SavePanel save_;
   std::pair<Panel, StepPlace> shown_{};  ///< panel and place of the frame before
   std::string refusal_;                  ///< why the last edit was not made; empty: it was
+  unsigned refused_of_ = 0;              ///< number of the model of the frame before
   bool has_focus_ = false;
   bool takes_keys_ = false;
   bool shows_focus_ = false;  ///< the next frame gives it to a control
@@ -152,6 +159,7 @@ class Panels {
   /// if the focus is still there, the next is above or below it. 0: nothing was asked for.
   int beside_ = 0;
   unsigned stepped_from_ = 0;
+  int frames_to_reach_ = 0;  ///< so long at most Tab may still lead to a control; 0: it is not on its way
   bool awaits_text_ = false;
 };
 

@@ -7,6 +7,8 @@
 #include "app/window/panels/panels.h"
 #include "app/window/panels/progress_table.h"
 #include "app/window/panels/state_question.h"
+#include "lessons/notation/typed/typed_formula.h"
+#include "lessons/reader/questions/line_notation.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -172,6 +174,17 @@ void QuestionsPanel::draw_forget(PanelContext& context, const Ask& ask) {
   if (ImGui::Button(is_one ? "Keep it" : "Keep them")) forgetting_.clear();
 }
 
+/// As it is read: below the field in which it is typed.
+void QuestionsPanel::draw_as_set(PanelContext& context, const Ask& ask) {
+  const LessonSession& session = context.session;
+  const std::string name = session.stage().id + '/' + ask.id;
+  const std::string& typed = typed_[name];
+  SetExpression& set = set_[name];
+  if (set.typed != typed)
+    set = {typed, typed.empty() ? "" : typed_formula(typed, line_notation(session.lesson(), ask).names).tex};
+  if (!set.tex.empty()) context.texts.show(formula_text("\\displaystyle " + set.tex));
+}
+
 void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::size_t number,
                                    std::size_t count) {
   ImGui::PushID(ask.id.c_str());
@@ -185,8 +198,12 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
     case Ask::Type::order:
       show_letters(context, ask);
       quiet_words("Put the letters in order.");
-      [[fallthrough]];
+      ask_for_words(context, ask, typed);
+      break;
     case Ask::Type::expression:
+      ask_for_words(context, ask, typed);
+      draw_as_set(context, ask);
+      break;
     case Ask::Type::number:
       ask_for_words(context, ask, typed);
       break;

@@ -2,6 +2,7 @@
 #include "app/export/named_sizes.h"
 #include "app/session/saved/saved_scene.h"
 #include "app/window/controls/widgets.h"
+#include "app/window/panels/answer_controls.h"
 #include "app/window/panels/panels.h"
 
 #include <fmt/format.h>
@@ -72,11 +73,13 @@ void SavePanel::draw(PanelContext& context) {
   heading("Answers");
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##student", "your name, if it is to stand there", &options.student);
+  take_keyboard_by_tab(context);
   offer(context, "Save a report to hand in", SaveAs::answers,
         "What you answered in this lesson, as a text; without a name it does not say who you are");
   heading("Folder");
   ImGui::SetNextItemWidth(-1);
   ImGui::InputText("##folder", &folder);
+  take_keyboard_by_tab(context);
   quiet_words("Nothing is overwritten: a name that is taken gets a number.");
 }
 

@@ -105,6 +105,7 @@ void draw_size_chip(LessonSession& session, bool is_too_small, const Region& fig
 
 void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets, bool is_held,
                      const Region& figure, const ControlSizes& sizes) {
+  constexpr float kBothButtons = 18;  // em: on one line
   if (is_held || (!session.is_aside() && !is_changed(session.edits()))) return;
   const bool leftward = hides_a_tip(session, insets, figure, sizes);
   ImGui::SetNextWindowPos({leftward ? figure.x + sizes.padding : figure.x + figure.width - sizes.padding,
@@ -124,7 +125,7 @@ void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets, b
     if (ImGui::Button("Undo")) session.undo();
     ImGui::EndDisabled();
     tooltip_of_last(told(Command::undo));
-    ImGui::SameLine();
+    if (figure.width > kBothButtons * sizes.em) ImGui::SameLine();
     if (ImGui::Button("Back to the lesson's")) session.reset_edits();
     tooltip_of_last(told(Command::reset_scene));
   }

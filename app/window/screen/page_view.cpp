@@ -2,6 +2,8 @@
 #include "app/window/screen/page_view.h"
 
 #include "app/page/text/text_column.h"
+#include "render/gl/type_on_figure.h"
+#include "render/typeset/paragraph.h"
 
 #include <algorithm>
 
@@ -92,15 +94,17 @@ Status PageView::compose(const LessonSession& session, const PageKey& key) {
   }
   if (session.transition() < 1)
     request.entrance = TurningInto{from_ ? &*from_ : nullptr, session.transition()};
-  page_ = key.look.is_enlarged ? compose_picture(request, fonts) : compose_page(request, *text_, fonts);
+  page_ =
+      key.look.is_enlarged ? compose_picture(request, *text_, fonts) : compose_page(request, *text_, fonts);
   symbols_ = symbols_on(page_.sheet, fonts);
   column_symbols_ = 0;
-  if (page_.hidden > 0 && page_.ceiling > 0) {
+  figure_names_.reset();
+  if (page_.overflow > 0) {
     const auto first = page_.sheet.texts.begin();
     Sheet column{.shapes = {}, .over_insets = {}, .texts = {}};
     column.texts.assign(first, first + static_cast<std::ptrdiff_t>(page_.column_texts));
     column_symbols_ = symbols_on(column, fonts).size();
-    hide_above_ceiling(page_);
+    if (page_.hidden > 0 && page_.ceiling > 0) hide_above_ceiling(page_);
   }
   const PageColors& colors = colors_of(request.theme);
   for (FlatShape& mark :
@@ -140,12 +144,58 @@ void PageView::scroll_to_see(double y0, double y1) {
   if (y0 >= page_.column.y0 && y1 > bottom) scroll(y1 - bottom);
 }
 
+std::size_t PageView::first_seen() const {
+  std::size_t first = 0;
+  while (is_scrolled(first) && symbols_[first].box.y0 < page_.column.y0) ++first;
+  return first;
+}
+
 std::optional<std::size_t> PageView::symbol_under(const Vec2& at, double reach) const {
   const auto hidden = static_cast<std::ptrdiff_t>(at.y() < page_.ceiling ? column_symbols_ : 0);
   if (hidden == 0) return symbol_at(symbols_, at, reach);
   const std::vector<PageSymbol> seen(symbols_.begin() + hidden, symbols_.end());
   const auto found = symbol_at(seen, at, reach);
   return found ? std::optional(*found + static_cast<std::size_t>(hidden)) : std::nullopt;
+}
+
+std::optional<PageSymbol> PageView::figure_name_at(const LessonSession& session, const Vec2& at,
+                                                   double reach) const {
+  const Fonts& fonts = renderer_.fonts();
+  if (!figure_names_) {
+    const std::vector<MathSymbol> symbols = symbols_of(session.lesson(), session.preferences.theme);
+    figure_names_.emplace();
+    for (const Inset& inset : page_.insets) {
+      const Vec2 corner(inset.place.x, inset.place.y);
+      for (const PlacedType& text : type_on_figure(inset, fonts)) {
+        TextStyle style;
+        style.size = text.list.glyphs.empty() ? 1 : text.list.glyphs.front().size;
+        style.sans = true;
+        style.symbols = &symbols;
+        Sheet sheet{.shapes = {}, .over_insets = {}, .texts = {}};
+        sheet.texts.push_back({.list = set_line(text.text, style, fonts), .at = text.at + corner});
+        for (PageSymbol& symbol : symbols_on(sheet, fonts)) figure_names_->push_back(std::move(symbol));
+      }
+    }
+  }
+  const auto found = symbol_at(*figure_names_, at, reach);
+  return found ? std::optional((*figure_names_)[*found]) : std::nullopt;
+}
+
+const Block* PageView::block_at(const LessonSession& session, const Vec2& at) const {
+  if (!text_ || at.y() < page_.ceiling) return nullptr;
+  const double reach = 4 * page_.scale;
+  const auto holds = [&](const PlacedType& text) {
+    const Vec2 from = text.at + text_->corner;
+    return at.x() >= from.x() - reach && at.x() < from.x() + text.list.width + reach &&
+           at.y() >= from.y() - text.list.ascent - reach && at.y() < from.y() + text.list.depth + reach;
+  };
+  const void* found = nullptr;
+  for (const ColumnPiece& piece : text_->stack.pieces)
+    if (std::any_of(piece.sheet.texts.begin(), piece.sheet.texts.end(), holds)) found = piece.of;
+  for (const Step& step : session.stage().steps)
+    for (const Block& block : step.blocks)
+      if (&block == found) return &block;
+  return nullptr;
 }
 
 bool PageView::is_step_before(const TextKey& before, const TextKey& now) {

@@ -36,6 +36,10 @@ class PageView {
   /// Moves the text of the shown step up, px, as far as there is more of it. Another step, or another size,
   /// begins where it is read from. False: there is no more of it.
   bool scroll(double by_px);
+  /// Of the symbols, those that are not above what is seen of a text that is scrolled: the first of them.
+  std::size_t first_seen() const;
+  /// Whether it goes with the text that is scrolled.
+  bool is_scrolled(std::size_t symbol) const { return symbol < column_symbols_; }
   /// So that what stands from y0 to y1 of the picture is seen.
   void scroll_to_see(double y0, double y1);
 
@@ -44,6 +48,10 @@ class PageView {
   /// The place among them of the one within `reach` px of the pointer; none of what is scrolled away under
   /// the figure.
   std::optional<std::size_t> symbol_under(const Vec2& at, double reach) const;
+  /// The name of a symbol in a figure that stands within `reach` px of the pointer; nothing: none does.
+  std::optional<PageSymbol> figure_name_at(const LessonSession& session, const Vec2& at, double reach) const;
+  /// The part of the stage's text that stands there; null: none does.
+  const Block* block_at(const LessonSession& session, const Vec2& at) const;
   const std::vector<Inset>& insets() const { return page_.insets; }
   const Page& page() const { return page_; }
   /// Whether its diagrams have type that is too small to be read on a screen: they are as large as there is
@@ -87,7 +95,9 @@ class PageView {
   StillNumbers still_numbers_;             ///< of the lesson that text_key_ names
   Page page_;
   std::vector<PageSymbol> symbols_;
-  std::size_t column_symbols_ = 0;  ///< so many of the first may be scrolled away; 0: all are seen
+  mutable std::optional<std::vector<PageSymbol>>
+      figure_names_;                ///< absent: not asked for since the page was made
+  std::size_t column_symbols_ = 0;  ///< so many of the first are scrolled; 0: none
   std::optional<Framebuffer> picture_;
 };
 

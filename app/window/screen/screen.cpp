@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace polhode {
 
@@ -157,7 +159,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
     return true;
   }
   const bool is_of_panel = panels_.has_focus() && is_for_panel(session.panel, key);
-  if (!typing && is_of_panel && (key == "Tab" || key == "Shift+Tab")) {
+  if (is_of_panel && (key == "Tab" || key == "Shift+Tab")) {  // out of a field, too
     panels_.tab(key == "Tab" ? 1 : -1);
     return true;
   }
@@ -183,8 +185,9 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   if (session.is_presenting() && press_while_presenting(session, key)) return true;
   const auto command = command_of(key);
   if (!command) return false;
-  if (key == "F5" && session.has_speaker()) {  // which begins a talk on every desk, and ends none
-    tell("You are presenting already: Escape ends it, N closes your window.");
+  if (key == "F5" && session.is_presenting()) {  // which begins a talk on every desk, and ends none
+    tell(session.has_speaker() ? "You are presenting already: Escape ends it, N closes your window."
+                               : "You are presenting already: Escape or P ends it.");
     return true;
   }
   if (is_character(key) && (!session.preferences.letter_keys || panels_.awaits_text())) return false;
@@ -257,13 +260,14 @@ bool Screen::press_while_presenting(LessonSession& session, std::string_view key
   return was_black || key == "B" || key == ".";
 }
 
-/// To the next symbol, and behind the last one to the choices that can still be picked.
+/// To the next symbol, and behind the last one to the choices that can still be picked. It begins with what
+/// is seen of a long stage.
 void Screen::move_focus_on_page(LessonSession& session, int by) {
   const std::vector<const Page::Choice*> choices = open_choices(session);
   const auto symbols = static_cast<int>(page_->symbols().size()),
              all = symbols + static_cast<int>(choices.size());
   if (all == 0) return tell("Nothing on this page has a note.");
-  int present = by > 0 ? -1 : all;
+  int present = by > 0 ? static_cast<int>(page_->first_seen()) - 1 : all;
   if (const auto place = symbols_.place(); place && static_cast<int>(*place) < symbols)
     present = static_cast<int>(*place);
   if (choice_in_focus_ && *choice_in_focus_ < choices.size())
@@ -273,7 +277,7 @@ void Screen::move_focus_on_page(LessonSession& session, int by) {
   if (next < symbols) {
     symbols_.reach(session, page_->symbols(), static_cast<std::size_t>(next));
     const auto& box = page_->symbols()[static_cast<std::size_t>(next)].box;
-    page_->scroll_to_see(box.y0, box.y1);
+    if (page_->is_scrolled(static_cast<std::size_t>(next))) page_->scroll_to_see(box.y0, box.y1);
     return;
   }
   symbols_.leave(session);
@@ -327,7 +331,7 @@ bool Screen::do_in_window(LessonSession& session, Command command) {
       if (symbols_.focused(page_->symbols()).empty())
         tell("Tab goes to a symbol, a link or a choice first.");
       else if (!follow(session, symbols_.focused(page_->symbols())))
-        symbols_.toggle_explanation();
+        symbols_.explain();
       break;
     case Command::find:
       session.panel = Panel::outline;
@@ -447,8 +451,8 @@ Status Screen::keep_for_audience(const LessonSession& session) {
   return success();
 }
 
-/// At the lower edge of what a panel leaves of the page, but beside the text where there is a figure, or
-/// above it.
+/// At the lower edge of what a panel leaves of the page, but where there is a figure beside the text, or
+/// above it, and above the caption.
 Region Screen::region_of_notices(const LessonSession& session, Size size) const {
   constexpr float kLeast = 16;  // em
   Region region = page_region(session, size);
@@ -462,6 +466,9 @@ Region Screen::region_of_notices(const LessonSession& session, Size size) const 
     region.x = left;
     region.width -= left;
   }
+  int lowest = 0;
+  for (const Inset& inset : page_->insets()) lowest = std::max(lowest, inset.place.y + inset.place.height);
+  if (lowest > 0) region.height = std::min(region.height, static_cast<float>(lowest));
   return region;
 }
 
@@ -522,24 +529,35 @@ void Screen::lay_out_sliders(LessonSession& session) {
   varies_ = false;
   const PixelBox& at = page_->page().figure;
   if (session.is_black() || session.panel == Panel::lessons || at.width() <= 0) return;
-  // What of it is beside a panel, or as much as these need.
-  constexpr float kLeastRoom = 18;  // em
+  // What of it is beside a panel, if that is enough: what lies on the figure is covered with it, and never
+  // lies on the text.
+  constexpr float kLeastRoom = 13;  // em
   const ImVec2& size = ImGui::GetIO().DisplaySize;
   const float free = page_region(session, {static_cast<int>(size.x), static_cast<int>(size.y)}).width -
                      covered_width(session, {static_cast<int>(size.x), static_cast<int>(size.y)});
-  const float right = std::min(static_cast<float>(at.x1), free),
-              left = std::max(0.0F, std::min(static_cast<float>(at.x0), right - kLeastRoom * sizes_->em));
-  const Region figure{left, static_cast<float>(at.y0), right - left, static_cast<float>(at.height())};
-  const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
-  varies_ = used.is_held;
-  if (!used.refusal.empty()) tell(used.refusal);
+  const float right = std::min(static_cast<float>(at.x1), free), left = static_cast<float>(at.x0);
   const TipHand hand = drag_.scales_omega()    ? TipHand::scales
                        : drag_.holds_omega()   ? TipHand::turns
                        : drag_.is_near_omega() ? TipHand::near
                                                : TipHand::away;
   draw_drag_marks(session, page_->insets(), hand, right, *sizes_);
+  if (right - left < kLeastRoom * sizes_->em) return;
+  const Region figure{left, static_cast<float>(at.y0), right - left, static_cast<float>(at.height())};
+  const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
+  varies_ = used.is_held;
+  if (!used.refusal.empty()) tell(used.refusal);
   draw_scene_chip(session, page_->insets(), drag_.holds_omega(), figure, *sizes_);
   draw_size_chip(session, page_->has_small_type(), figure, *sizes_);
+}
+
+/// On the page, or in a figure that rests: while it moves its names do, too.
+std::optional<PageSymbol> Screen::pointed_symbol(const LessonSession& session,
+                                                 std::optional<std::size_t> under) const {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (drag_.is_held() || io.MouseDown[0]) return std::nullopt;
+  if (under) return page_->symbols()[*under];
+  if (io.WantCaptureMouse || session.is_moving() || drag_.is_near_omega()) return std::nullopt;
+  return page_->figure_name_at(session, {io.MousePos.x, io.MousePos.y}, kSymbolReach);
 }
 
 void Screen::use_pointer(LessonSession& session, const Region& page) {
@@ -550,11 +568,10 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
   const auto under =
       on_page ? page_->symbol_under({io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt;
   draw_page_menu(session, on_page, under);
-  const bool points = !drag_.is_held() && !io.MouseDown[0];
-  symbols_.point_at(session, page_->symbols(), points ? under : std::nullopt);
+  symbols_.point_at(session, page_->symbols(), pointed_symbol(session, under));
   if (under && io.MouseClicked[0] && follow(session, page_->symbols()[*under].name)) return;
   if (on_page) scroll_by_wheel();
-  if (on_page && io.MouseClicked[0] && !symbols_.is_pointed_at()) {
+  if (on_page && io.MouseClicked[0] && !under) {
     ImGui::SetWindowFocus(nullptr);
     symbols_.leave(session);
     choice_in_focus_.reset();
@@ -609,6 +626,21 @@ void Screen::name_slides(const LessonSession& session) {
 std::string Screen::words_of_step(const LessonSession& session) const {
   const int step = static_cast<int>(session.place().step) + 1;
   return stage_title_ + "\n\n" + speech_->words_of_page(session.stage(), step, step) + "\n";
+}
+
+/// An equation as TeX, the rest as it is said.
+std::string Screen::words_of_block(const Block& block) const {
+  return std::visit(
+      [&](const auto& part) -> std::string {
+        using Part = std::decay_t<decltype(part)>;
+        if constexpr (std::is_same_v<Part, Equation>)
+          return part.tex;
+        else if constexpr (std::is_same_v<Part, Prose> || std::is_same_v<Part, Footnote>)
+          return speech_->words(part.text);
+        else
+          return speech_->words(part);
+      },
+      block);
 }
 
 void Screen::copy() {

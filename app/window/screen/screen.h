@@ -121,11 +121,14 @@ class Screen {
   void lay_out_controls(LessonSession& session, const Region& page, Size size);
   void lay_out_sliders(LessonSession& session);
   void use_pointer(LessonSession& session, const Region& page);
+  std::optional<PageSymbol> pointed_symbol(const LessonSession& session,
+                                           std::optional<std::size_t> under) const;
   bool follow(LessonSession& session, const std::string& link);
   void save(LessonSession& session);
   void name_slides(const LessonSession& session);
   void copy();
   std::string words_of_step(const LessonSession& session) const;
+  std::string words_of_block(const Block& block) const;
   void draw_spot(const LessonSession& session) const;
   Status keep_for_audience(const LessonSession& session);
 
@@ -155,7 +158,9 @@ class Screen {
   double clock_s_ = 0, page_s_ = 0, frame_s_ = 0, pointed_s_ = 0;  ///< pointed_s_: the pointer moved
   bool has_menu_ = false;  ///< what can be done with what is there: open
   bool menu_is_of_figure_ = false;
-  std::string menu_of_{};      ///< the symbol or link that it was opened on; empty: none
+  std::string menu_of_{};     ///< the symbol or link that it was opened on; empty: none
+  std::string menu_words_{};  ///< the paragraph there, or the TeX of the equation; empty: there is none
+  bool menu_is_of_equation_ = false;
   int frames_of_tooltip_ = 0;  ///< since the pointer has rested for as long as a tooltip waits
   bool is_full_ = true, was_moving_ = false;
   std::optional<StepPlace> shown_place_{};

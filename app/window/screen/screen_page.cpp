@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the screen lays over the page, and what a pointer does to its text: choices, scrolling, how to begin.
+#include "app/session/words/step_words.h"
 #include "app/window/screen/screen.h"
 #include "base/words/page_words.h"
 
@@ -163,6 +164,9 @@ void Screen::draw_page_menu(LessonSession& session, bool on_page, std::optional<
     const PixelBox& figure = page_->page().figure;
     const double x = io.MousePos.x, y = io.MousePos.y;
     menu_of_ = under ? page_->symbols()[*under].name : "";
+    const Block* block = page_->block_at(session, {x, y});
+    menu_words_ = block != nullptr ? words_of_block(*block) : "";
+    menu_is_of_equation_ = block != nullptr && std::holds_alternative<Equation>(*block);
     menu_is_of_figure_ = x >= figure.x0 && x < figure.x1 && y >= figure.y0 && y < figure.y1;
     has_menu_ = true;
     ImGui::OpenPopup(name);
@@ -196,9 +200,11 @@ void Screen::offer_of_text(LessonSession& session) {
     if (ImGui::MenuItem("Copy this address")) follow(session, menu_of_);
     ImGui::Separator();
   }
+  if (!menu_words_.empty() &&
+      ImGui::MenuItem(menu_is_of_equation_ ? "Copy this equation as TeX" : "Copy this paragraph"))
+    requests_.clipboard = menu_words_;
   if (menu_item(Command::copy_step, "Copy this step as text")) do_in_window(session, Command::copy_step);
-  std::string tex;
-  for (const Equation* equation : blocks_of<Equation>(session.step())) tex += equation->tex + "\n";
+  const std::string tex = tex_of_step(session);
   if (ImGui::MenuItem("Copy its equations as TeX", nullptr, false, !tex.empty())) requests_.clipboard = tex;
   if (menu_item(Command::read_aloud, "Read it aloud")) do_in_window(session, Command::read_aloud);
   if (menu_item(Command::find, "Find…")) do_in_window(session, Command::find);

@@ -56,19 +56,19 @@ void SymbolFocus::forget(LessonSession& session) {
 }
 
 void SymbolFocus::point_at(LessonSession& session, const Symbols& symbols,
-                           std::optional<std::size_t> hovered) {
+                           const std::optional<PageSymbol>& hovered) {
   const bool was = hovered_.has_value();
   hovered_ = hovered;
   if (hovered_)
-    session.light(symbols[*hovered_].name);
+    session.light(hovered_->name);
   else if (was)
     light_focus(session, symbols);
 }
 
 void SymbolFocus::draw_note(const LessonSession& session, const Symbols& symbols, float em) const {
-  const auto shown = hovered_ ? hovered_ : explains_ ? focus_ : std::nullopt;
-  if (!shown || *shown >= symbols.size()) return;
-  const PageSymbol& symbol = symbols[*shown];
+  const bool has_focus = explains_ && focus_ && *focus_ < symbols.size();
+  if (!hovered_ && !has_focus) return;
+  const PageSymbol& symbol = hovered_ ? *hovered_ : symbols[*focus_];
   const SymbolNote note = note_of(session.lesson(), symbol.name, session.model(), session.t_s(),
                                   session.stage().id, session.place().step);
   const bool is_term = symbol.is_term && !is_link_name(symbol.name);

@@ -24,19 +24,20 @@ class SymbolFocus {
   void reach(LessonSession& session, const Symbols& symbols, std::size_t place);
   /// The name of what keys have reached; empty: nothing.
   std::string focused(const Symbols& symbols) const;
-  void toggle_explanation() { explains_ = !explains_ && focus_; }
+  void explain() { explains_ = focus_.has_value(); }
   void leave(LessonSession& session);
   /// Forgets what keys have reached and what the pointer is on: the page has changed.
   void forget(LessonSession& session);
-  /// What is under the pointer; nothing: no symbol is.
-  void point_at(LessonSession& session, const Symbols& symbols, std::optional<std::size_t> hovered);
+  /// What is under the pointer, on the page or in the figure; nothing: no symbol is.
+  void point_at(LessonSession& session, const Symbols& symbols, const std::optional<PageSymbol>& hovered);
   /// Says what the symbol stands for. @param em of controls, px
   void draw_note(const LessonSession& session, const Symbols& symbols, float em) const;
 
  private:
   void light_focus(LessonSession& session, const Symbols& symbols) const;
 
-  std::optional<std::size_t> focus_, hovered_;
+  std::optional<std::size_t> focus_;
+  std::optional<PageSymbol> hovered_;
   bool explains_ = false;  ///< the symbol in focus
 };
 

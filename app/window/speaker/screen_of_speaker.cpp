@@ -2,6 +2,7 @@
 #include "app/window/speaker/screen_of_speaker.h"
 
 #include "app/session/answers/answer_text.h"
+#include "app/session/words/step_words.h"
 #include "app/window/controls/widgets.h"
 
 #include <fmt/format.h>
@@ -107,11 +108,11 @@ void ScreenOfSpeaker::adopt_style(const LessonSession& session, const ScreenFram
   theme_ = theme;
 }
 
-/// The page takes three fifths of the width; below it what is pressed and where we are; beside it what comes
-/// next, and what is to be said.
+/// The page takes three fifths of the width, in a high window half of it; below it what is pressed and
+/// where we are; beside it what comes next, and what is to be said.
 ScreenOfSpeaker::Areas ScreenOfSpeaker::areas_of(Size size) const {
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
-  const float gap = sizes_->padding, left = std::round(0.6F * width);
+  const float gap = sizes_->padding, left = std::round((width < height ? 0.5F : 0.6F) * width);
   // In a half of a screen the buttons take a second row, and where we are stands below the time.
   constexpr float kOneRow = 46;  // em
   const float top = gap + 1.9F * sizes_->em, bar = (left < kOneRow * sizes_->em ? 3.2F : 2.0F) * sizes_->bar;
@@ -167,9 +168,8 @@ void ScreenOfSpeaker::draw_clock(const LessonSession& session) {
   ImGui::SameLine();
   if (ImGui::SmallButton("from 0:00")) begun_s_ = clock_s_;
   tooltip_of_last("Begin to count the time again");
-  const std::string where =
-      fmt::format("{}; stage {} of {}, step {} of {}", count_text(session), session.place().stage + 1,
-                  session.lesson().stages.size(), session.place().step + 1, session.stage().steps.size());
+  const std::string where = fmt::format("{}; {}, step {} of {}", count_text(session), stage_count(session),
+                                        session.place().step + 1, session.stage().steps.size());
   same_line_if_fits(where.c_str());
   plain_words(where);
 }
@@ -208,7 +208,10 @@ void ScreenOfSpeaker::draw_notes(const LessonSession& session, const Region& reg
   }
   for (const Ask* ask : session.questions()) {
     heading("Answer");
-    texts_.show(answer_text(session.lesson(), *ask));
+    if (!ask->derivation) texts_.show(answer_text(session.lesson(), *ask));
+    if (ask->derivation)
+      for (const WorkedLine& worked : ask->derivation->worked)
+        texts_.show(formula_text("\\displaystyle " + worked.line.tex));
   }
   ImGui::End();
 }

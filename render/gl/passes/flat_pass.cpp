@@ -96,11 +96,20 @@ std::vector<PixelBox> boxes_of_arrows(const Pane& pane, const PixelBox& frame) {
 }  // namespace
 
 struct FlatPass::Parts {
+  const Fonts& fonts;
   Size size;
   double type_px;  ///< what the sizes of type are relative to: the height, or less in a narrow picture
   Color halo;
   Geometry<Vertex> boxes;
   std::vector<PlacedType> lines;
+
+  DisplayList line_of(const std::string& text, double size_px, const Color& ink) const {
+    TextStyle style;
+    style.size = size_px;
+    style.color = ink;
+    style.sans = true;
+    return set_line(text, style, fonts);
+  }
 
   /// Rounded box centred at `center` (px from the upper left), turned by `angle`; half sizes along its own
   /// axes.
@@ -133,17 +142,9 @@ Result<std::unique_ptr<FlatPass>> FlatPass::create(const Gl& gl, GlyphPass& type
   return std::unique_ptr<FlatPass>(new FlatPass(gl, type, fonts, std::move(box).value()));
 }
 
-DisplayList FlatPass::line_of(const std::string& text, double size_px, const Color& ink) const {
-  TextStyle style;
-  style.size = size_px;
-  style.color = ink;
-  style.sans = true;
-  return set_line(text, style, fonts_);
-}
-
 void FlatPass::add_line(const std::string& text, double size_px, double x, double y, double align,
                         const Color& ink, const Color& halo, Parts& parts) {
-  DisplayList line = line_of(text, size_px, ink);
+  DisplayList line = parts.line_of(text, size_px, ink);
   const double left = x - align * line.width;
   parts.lines.push_back({.list = std::move(line), .at = {left, y}, .halo = halo, .text = text});
 }
@@ -175,7 +176,7 @@ PixelBox FlatPass::add_readout(const Readout& readout, const PixelBox& frame, bo
   const double margin = kMargin * parts.type_px;
   const double pad = 0.8 * em;
   double width = 0.0;
-  for (const std::string& line : readout.lines) width = std::max(width, line_of(line, em, kInk).width);
+  for (const std::string& line : readout.lines) width = std::max(width, parts.line_of(line, em, kInk).width);
   const double bar = readout.color_bar ? 2.2 * em : 0.0;
   const double lines = static_cast<double>(readout.lines.size());
   const double height = 2.0 * pad + (lines - 1.0) * kLineSpacing * em + em + bar;
@@ -234,8 +235,8 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
   std::vector<TypeBox> inks;
   for (const Label& label : pane.list.labels) {
     const double em = base * label.size;
-    lines.push_back(line_of(label.text, em, readable(label.color, parts.halo)));
-    inks.push_back(ink_box(lines.back(), fonts_));
+    lines.push_back(parts.line_of(label.text, em, readable(label.color, parts.halo)));
+    inks.push_back(ink_box(lines.back(), parts.fonts));
     const Vec2 anchor = to_pixel(pane, frame, label.anchor);
     const LabelSide side = side_of(label, anchor, em, pane, frame);
     requests.push_back({.anchor = anchor,
@@ -287,16 +288,16 @@ void FlatPass::add_frame_titles(const Figure& figure, Size size, Parts& parts) {
   }
 }
 
-void FlatPass::draw(const Figure& figure, Size size, const Color& halo) {
+FlatPass::Parts FlatPass::parts_of(const Figure& figure, Size size, const Color& halo, const Fonts& fonts) {
   const double type_px = figure.caption_px > 0.0 ? figure.caption_px / kCaptionSize
                                                  : std::min<double>(size.height, size.width * 9.0 / 16.0);
-  Parts parts{.size = size, .type_px = type_px, .halo = halo, .boxes = {}, .lines = {}};
+  Parts parts{.fonts = fonts, .size = size, .type_px = type_px, .halo = halo, .boxes = {}, .lines = {}};
   add_frame_titles(figure, size, parts);
   for (const Pane& pane : figure.panes) {
     const PixelBox frame = pixels_of(pane, size);
     std::vector<PixelBox> taken;
     for (const PlacedType& line : parts.lines) {
-      const TypeBox ink = ink_box(line.list, fonts_);
+      const TypeBox ink = ink_box(line.list, parts.fonts);
       taken.push_back(
           {line.at.x() + ink.x0, line.at.y() + ink.y0, line.at.x() + ink.x1, line.at.y() + ink.y1});
     }
@@ -306,7 +307,16 @@ void FlatPass::draw(const Figure& figure, Size size, const Color& halo) {
     taken.insert(taken.end(), arrows.begin(), arrows.end());
     add_labels(pane, frame, taken, parts);
   }
-  draw_parts(parts, size);
+  return parts;
+}
+
+void FlatPass::draw(const Figure& figure, Size size, const Color& halo) {
+  draw_parts(parts_of(figure, size, halo, fonts_), size);
+}
+
+std::vector<PlacedType> FlatPass::type_on(const Figure& figure, Size size, const Color& halo,
+                                          const Fonts& fonts) {
+  return parts_of(figure, size, halo, fonts).lines;
 }
 
 void FlatPass::draw_parts(const Parts& parts, Size size) {

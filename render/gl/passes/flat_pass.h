@@ -16,6 +16,9 @@ class FlatPass {
 
   /// Draws into the bound framebuffer of this size. `halo` is the colour behind text (straight alpha).
   void draw(const Figure& figure, Size size, const Color& halo);
+  /// What it writes there, without drawing.
+  static std::vector<PlacedType> type_on(const Figure& figure, Size size, const Color& halo,
+                                         const Fonts& fonts);
 
  private:
   struct Vertex {
@@ -28,14 +31,15 @@ class FlatPass {
 
   FlatPass(const Gl& gl, GlyphPass& type, const Fonts& fonts, Program box)
       : type_(type), fonts_(fonts), box_(std::move(box)), stream_(gl, {2, 2, 4, 4}) {}
-  DisplayList line_of(const std::string& text, double size_px, const Color& ink) const;
-  void add_labels(const Pane& pane, const PixelBox& frame, const std::vector<PixelBox>& taken, Parts& parts);
-  PixelBox add_readout(const Readout& readout, const PixelBox& frame, bool at_bottom, Parts& parts);
-  void add_color_bar(double x, double y, double width, double marker, Parts& parts);
+  static Parts parts_of(const Figure& figure, Size size, const Color& halo, const Fonts& fonts);
+  static void add_labels(const Pane& pane, const PixelBox& frame, const std::vector<PixelBox>& taken,
+                         Parts& parts);
+  static PixelBox add_readout(const Readout& readout, const PixelBox& frame, bool at_bottom, Parts& parts);
+  static void add_color_bar(double x, double y, double width, double marker, Parts& parts);
   /// `align` is the part of the line that lies left of x.
-  void add_line(const std::string& text, double size_px, double x, double y, double align, const Color& ink,
-                const Color& halo, Parts& parts);
-  void add_frame_titles(const Figure& figure, Size size, Parts& parts);
+  static void add_line(const std::string& text, double size_px, double x, double y, double align,
+                       const Color& ink, const Color& halo, Parts& parts);
+  static void add_frame_titles(const Figure& figure, Size size, Parts& parts);
   void draw_parts(const Parts& parts, Size size);
 
   GlyphPass& type_;

@@ -210,5 +210,25 @@ TEST(PageTravel, KeepsNamesOfSymbols) {
       EXPECT_LT(glyph.naming.term, static_cast<int>(text.list.names.size()));
 }
 
+// 2026-11-28: the flying line was illegible where it crossed others.
+TEST(PageTravel, WhatTheEquationFliesOverStepsBack) {
+  const Lesson lesson = lesson_of(kDerivation);
+  const Pages pages(lesson);
+  const Sheet before = pages.before();
+  const auto same_letters = [](const PlacedType& a, const PlacedType& b) {
+    return std::ranges::equal(a.list.glyphs, b.list.glyphs, {}, &Glyph::id, &Glyph::id);
+  };
+  const auto flown_over = [&](const Sheet& sheet) {  // the last text of the page before
+    const auto text = std::ranges::find_if(
+        sheet.texts, [&](const PlacedType& one) { return same_letters(one, before.texts.back()); });
+    return text == sheet.texts.end() ? -1.0F : text->list.glyphs.front().color.a;
+  };
+  EXPECT_NEAR(flown_over(before), 1.0F, 1e-6);
+  EXPECT_NEAR(flown_over(pages.at(0.0)), 1.0F, 1e-6);
+  EXPECT_NEAR(flown_over(pages.at(0.5)), 0.15F, 0.01F);
+  EXPECT_NEAR(flown_over(pages.at(1.0)), 1.0F, 1e-6);
+  EXPECT_NEAR(pages.at(0.5).texts.back().list.glyphs.front().color.a, 1.0F, 1e-6) << "which itself is seen";
+}
+
 }  // namespace
 }  // namespace polhode

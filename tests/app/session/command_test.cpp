@@ -117,6 +117,11 @@ TEST(Command, ChangesTheSceneAndGivesItBack) {
   press("V");
   EXPECT_EQ(views(), (std::vector<View>{View::space}));
   press("G");
+  EXPECT_FALSE(session.edits().motion) << "that of an exact motion would not be seen";
+  SceneEdits computed = session.edits();
+  computed.motion = MotionSpec{.method = Method::rk4, .step_s = 0.01};
+  ASSERT_TRUE(session.set_edits(computed));
+  press("G");
   EXPECT_TRUE(session.model()->scene.motion.ghost);
   press("C");
   EXPECT_TRUE(session.is_following());
@@ -196,9 +201,10 @@ TEST(Command, TellsWhyItHasNothingToDo) {
   LessonSession session(example());
   const auto why = [&](const char* key) { return why_idle(session, command_of(key).value()); };
   for (const char* key : {"Left", "Up"}) EXPECT_EQ(why(key), "This is the beginning.") << key;
-  for (const char* key : {"Right", "Down", "Space", "0", "V", "G", "Ctrl+Left", "T"})
+  for (const char* key : {"Right", "Down", "Space", "0", "V", "Ctrl+Left", "T"})
     EXPECT_EQ(why(key), "") << key;
   EXPECT_EQ(why("R"), "This is the lesson's scene.");
+  EXPECT_NE(why("G"), "");
   EXPECT_EQ(why("Ctrl+Z"), "There is no change to undo.");
   EXPECT_EQ(why("]"), "This step has no number to vary.");
   for (const char* key : {".", "L", "H"}) EXPECT_NE(why(key), "") << key;

@@ -86,6 +86,22 @@ TEST(Undo, WhatWasChangedIsThereAgainWhenOneComesBack) {
   EXPECT_TRUE(session.edits().empty()) << "given back to the lesson";
 }
 
+// 2026-11-28: what was changed was there again, and could not be undone.
+TEST(Undo, IsKnownWhenOneComesBack) {
+  LessonSession session(example());
+  const StepPlace here = session.place();
+  start_with(session, {1, 0, 0.1});
+  start_with(session, {0, 1, 0.1});
+  session.next_stage();
+  EXPECT_FALSE(session.can_undo()) << "there nothing was changed";
+  session.go_to(here);
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.edits().w0_B, Vec3(1, 0, 0.1));
+  EXPECT_TRUE(session.undo());
+  EXPECT_TRUE(session.edits().empty());
+  EXPECT_FALSE(session.can_undo());
+}
+
 TEST(Undo, ACaptionOfAnotherMotionGoes) {
   LessonSession session(test::loaded_lesson("euler-equations"));
   ASSERT_FALSE(session.model()->scene.caption.empty());

@@ -145,5 +145,29 @@ TEST(LessonSession, ADerivationIsShownAsItIsTyped) {
   EXPECT_EQ(session.record(*ask), nullptr);
 }
 
+// 2026-11-28: it was gone from the page until Answer was opened.
+TEST(DerivationWork, StandsOnThePageWhenOneComesBack) {
+  const auto loaded = test::loaded_lesson("euler-equations");
+  LessonSession session(loaded);
+  const Ask* ask = nullptr;
+  for (std::size_t stage = 0; stage < loaded->lesson.stages.size(); ++stage)
+    for (std::size_t step = 0; step < loaded->lesson.stages[stage].steps.size(); ++step)
+      for (const Ask* one : blocks_of<Ask>(loaded->lesson.stages[stage].steps[step]))
+        if (one->id == "derive-six") session.go_to({stage, step}), ask = one;
+  ASSERT_NE(ask, nullptr);
+  session.derive(*ask, ask->derivation->worked.front().line.typed);
+  const ShownDerivation shown = session.shown_derivation();
+  ASSERT_EQ(shown.lines.size(), 1U);
+  const StepPlace here = session.place();
+  session.go_to({0, 0});
+  EXPECT_EQ(session.shown_derivation(), ShownDerivation());
+  session.go_to(here);
+  EXPECT_EQ(session.shown_derivation(), shown);
+  LessonSession another(loaded);
+  another.set_answers(session.answers());
+  another.go_to(here);
+  EXPECT_EQ(another.shown_derivation(), shown);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -97,5 +97,96 @@ TEST_F(PanelFocus, TabGoesThroughAllControlsAsOneReads) {
   EXPECT_EQ(focused(), order[5]);
 }
 
+// 2026-11-28: both were dead in a field that is typed in.
+TEST_F(PanelFocus, TabLeavesAFieldThatIsTypedInAndComesBack) {
+  const auto types = [] { return ImGui::GetIO().WantTextInput; };
+  const auto expect_round = [&](const std::string& what) {
+    frame(5);
+    ASSERT_TRUE(types()) << what;
+    const ImGuiID field = focused();
+    ImGui::GetIO().AddInputCharacter('2');
+    frame(2);
+    for (const auto& [away, back] : {std::pair("Tab", "Shift+Tab"), std::pair("Shift+Tab", "Tab")}) {
+      ASSERT_TRUE(screen->press(session, away)) << what;
+      frame(7);
+      EXPECT_FALSE(types()) << what << ' ' << away;
+      EXPECT_NE(focused(), field) << what << ' ' << away;
+      EXPECT_TRUE(is_ring_seen()) << what << ' ' << away;
+      if (what == "find" && back == std::string_view("Tab")) break;  // the list below it is endless
+      // From the last one Tab goes over the first.
+      for (int i = 0; i == 0 || (i < 2 && back == std::string_view("Tab") && focused() != field); ++i) {
+        ASSERT_TRUE(screen->press(session, back)) << what;
+        frame(7);
+      }
+      EXPECT_TRUE(types()) << what << ' ' << back;
+      EXPECT_EQ(focused(), field) << what << ' ' << back;
+    }
+    screen->press(session, "Escape");
+    frame(3);
+    EXPECT_FALSE(types());
+    session.panel = Panel::none;
+    frame(3);
+  };
+  screen->press(session, "Ctrl+F");
+  expect_round("find");
+  for (const Ask::Type type : {Ask::Type::expression, Ask::Type::number, Ask::Type::derive}) {
+    const auto& stages = session.lesson().stages;
+    bool is_there = false;
+    for (std::size_t stage = 0; stage < stages.size() && !is_there; ++stage)
+      for (std::size_t step = 0; step < stages[stage].steps.size() && !is_there; ++step) {
+        const auto asks = blocks_of<Ask>(stages[stage].steps[step]);
+        is_there = asks.size() == 1 && asks.front()->type == type;
+        if (is_there) session.go_to({stage, step});
+      }
+    ASSERT_TRUE(is_there);
+    frame(2);
+    screen->press(session, "Q");
+    expect_round("question " + std::to_string(static_cast<int>(type)));
+  }
+}
+
+// 2026-11-28: what a panel says of a body that cannot be stayed when the change before was undone.
+TEST_F(PanelFocus, AReproachGoesWithWhatItIsAbout) {
+  session.go_to({1, 0});
+  screen->press(session, "B");
+  frame(5);
+  screen->press(session, "Tab");
+  frame(5);
+  screen->press(session, "Tab");  // to the second moment
+  frame(5);
+  const ImGuiID slider = focused();
+  const auto below_sliders = [&] {
+    const Image shown = screen->read();
+    const int x0 = kSize.width - static_cast<int>(control_sizes(1).panel) + 12;
+    std::vector<unsigned char> bytes;
+    for (int row = 215; row < 420; ++row)
+      bytes.insert(bytes.end(), shown.pixel(x0, row), shown.pixel(x0, row) + 4 * 150);
+    return bytes;
+  };
+  const auto without = below_sliders();
+  const Vec3 moments = session.model()->scene.body.moments.vector();
+  const auto type = [&](const std::string& text) {
+    give_to_panel(ImGuiKey_Enter);
+    frame(3);
+    ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+    ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
+    frame(3);
+    give_to_panel(ImGuiKey_Enter);
+    frame(4);
+  };
+  session.begin_change();
+  SceneEdits edits = session.edits();
+  edits.body = body_with_moments(Vec3(moments[0], moments[1] * 1.01, moments[2])).value();
+  ASSERT_TRUE(session.set_edits(edits));
+  frame(3);
+  type("99999");
+  EXPECT_NE(below_sliders(), without) << "it says why";
+  EXPECT_EQ(focused(), slider);
+  ASSERT_TRUE(screen->press(session, "Ctrl+Z"));
+  frame(4);
+  EXPECT_EQ(session.model()->scene.body.moments.vector(), moments);
+  EXPECT_EQ(below_sliders(), without);
+}
+
 }  // namespace
 }  // namespace polhode

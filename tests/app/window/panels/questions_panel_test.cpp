@@ -440,7 +440,8 @@ TEST_F(QuestionsPanelTest, ChoicesOnThePageAreReachedByTab) {
   frame(3);
   const std::size_t symbols = screen->page().symbols().size(), choices = screen->page().page().choices.size();
   ASSERT_GT(choices, 1U);
-  for (std::size_t i = 0; i < symbols; ++i) EXPECT_TRUE(screen->press(session, "Tab"));
+  for (std::size_t i = screen->page().first_seen(); i < symbols; ++i)
+    EXPECT_TRUE(screen->press(session, "Tab"));
   const Image before = screen->read();
   for (int i = 0; i < 2; ++i) EXPECT_TRUE(screen->press(session, "Tab"));
   frame(2);
@@ -452,6 +453,21 @@ TEST_F(QuestionsPanelTest, ChoicesOnThePageAreReachedByTab) {
   EXPECT_EQ(session.panel, Panel::question) << "where the reply stands";
   session.panel = Panel::none;
   EXPECT_TRUE(screen->press(session, "Shift+Tab")) << "from the last one";
+}
+
+// 2026-11-28: an expression was never seen as it is meant.
+TEST_F(QuestionsPanelTest, AnExpressionIsSetAsItIsTyped) {
+  go_to_question("wheel");
+  screen->press(session, "Q");
+  frame(5);
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  const int before = screen->texts().count();
+  ImGui::GetIO().AddInputCharactersUTF8("w1/w2*(I2 - I1)");
+  frame(3);
+  EXPECT_EQ(screen->texts().count(), before + 1) << "once, not in each frame";
+  ImGui::GetIO().AddInputCharactersUTF8("^2");
+  frame(3);
+  EXPECT_EQ(screen->texts().count(), before + 2);
 }
 
 }  // namespace

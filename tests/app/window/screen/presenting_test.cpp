@@ -141,5 +141,16 @@ TEST_F(PresentingTest, F5EndsNoTalkThatHasAWindowOfTheSpeakers) {
   EXPECT_FALSE(session.is_presenting());
 }
 
+// 2026-11-28: nor one that P had begun.
+TEST_F(PresentingTest, F5EndsNoTalk) {
+  screen->press(session, "F5");
+  EXPECT_TRUE(session.is_presenting());
+  EXPECT_NE(screen->notice().find("Escape"), std::string::npos) << screen->notice();
+  screen->press(session, "P");
+  EXPECT_FALSE(session.is_presenting());
+  screen->press(session, "F5");
+  EXPECT_TRUE(session.is_presenting());
+}
+
 }  // namespace
 }  // namespace polhode

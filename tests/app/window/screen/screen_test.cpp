@@ -197,6 +197,61 @@ TEST_F(ScreenTest, ASymbolUnderThePointerLightsUp) {
   EXPECT_EQ(screen->page().picture().read().rgba, before.rgba);
 }
 
+// 2026-11-28: the name of an arrow explained itself in the text alone.
+TEST_F(ScreenTest, ANameInTheFigureExplainsItselfToo) {
+  session.go_to({18, 1});
+  move(-1, -1);
+  frame(3);
+  const PixelRect& place = figure();
+  std::optional<PageSymbol> name;
+  for (int row = place.y; row < place.y + place.height && !name; row += 6)
+    for (int at = place.x; at < place.x + place.width && !name; at += 6)
+      if (auto found = screen->page().figure_name_at(session, Vec2(at, row), 0);
+          found && found->name == "omega")
+        name = found;
+  ASSERT_TRUE(name);
+  const Image before = screen->read();
+  const Vec2 middle(0.5 * (name->box.x0 + name->box.x1), 0.5 * (name->box.y0 + name->box.y1));
+  move(middle.x(), middle.y());
+  frame(3);
+  EXPECT_EQ(session.lit(), "omega");
+  EXPECT_NE(ImGui::FindWindowByName("note"), nullptr);
+  EXPECT_TRUE(ImGui::FindWindowByName("note")->Active);
+  const CameraSpec camera = session.camera();
+  drag(middle.x(), middle.y(), middle.x() - 30, middle.y());
+  EXPECT_NE(session.camera(), camera) << "where it is drawn one turns the figure";
+  move(4, 4);
+  frame(2);
+  EXPECT_EQ(session.lit(), "");
+}
+
+// 2026-11-28: one could copy the whole step alone.
+TEST_F(ScreenTest, TheOtherButtonCopiesTheEquationThatItIsPressedOn) {
+  session.go_to({1, 0});
+  frame(3);
+  const auto equations = blocks_of<Equation>(session.step());
+  ASSERT_FALSE(equations.empty());
+  const auto block_of = [&](const PageSymbol& symbol) {
+    return screen->page().block_at(
+        session, {0.5 * (symbol.box.x0 + symbol.box.x1), 0.5 * (symbol.box.y0 + symbol.box.y1)});
+  };
+  const auto& symbols = screen->page().symbols();
+  const auto on_equation = std::ranges::find_if(symbols, [&](const PageSymbol& symbol) {
+    const Block* block = block_of(symbol);
+    return block != nullptr && std::get_if<Equation>(block) == equations.front();
+  });
+  ASSERT_NE(on_equation, symbols.end());
+  const double at_x = on_equation->box.x0 + 1, at_y = on_equation->box.y0 + 1;
+  move(at_x, at_y);
+  ImGui::GetIO().MouseDown[1] = true;
+  frame(2);
+  ImGui::GetIO().MouseDown[1] = false;
+  frame(3);
+  click(at_x + 60, at_y + 18);
+  EXPECT_EQ(screen->notice(), "copied");
+  EXPECT_EQ(std::string(ImGui::GetClipboardText()), equations.front()->tex);
+}
+
 TEST_F(ScreenTest, ADragInTheFigureTurnsTheCamera) {
   frame(3);
   const CameraSpec before = session.model()->scene.camera;
@@ -782,6 +837,181 @@ TEST_F(ScreenTest, TheFigureStandsStillUnderAHandOnOmega) {
   frame(3);
   EXPECT_FALSE(session.edits().empty()) << "it was taken";
   EXPECT_LT((middle() - before).norm(), 0.5) << "let go";
+}
+
+// 2026-11-28: where an arrow of the lesson's own stands for ω its tip could not be taken, and in the others
+// the middle of the figure moved by 11 to 20 px.
+TEST_F(ScreenTest, OmegaIsTakenInEveryStepOfPoinsotsPictureAndTheFigureStandsStill) {
+  const auto tips = [&] { return omega_tips(*session.model(), session.t_s(), screen->page().insets()); };
+  const auto& stages = session.lesson().stages;
+  const auto stage = std::ranges::find(stages, "poinsot", &Stage::id);
+  ASSERT_NE(stage, stages.end());
+  int taken = 0;
+  for (std::size_t step = 0; step < stage->steps.size(); ++step) {
+    session.go_to({static_cast<std::size_t>(stage - stages.begin()), step});
+    session.reset_edits();
+    frame(3);
+    const Scene& scene = session.model()->scene;
+    const bool has_arrow = scene.show.contains(Overlay::omega) ||
+                           std::ranges::any_of(scene.marks.arrows, [](const ArrowMark& arrow) {
+                             return arrow.of.overlay == Overlay::omega;
+                           });
+    ASSERT_EQ(!tips().empty(), has_arrow) << step + 1;
+    if (!has_arrow) continue;
+    ++taken;
+    const Vec2 tip(tips().front().x, tips().front().y), before(tips().front().x0, tips().front().y0);
+    const Vec3 w0_B = scene.w0_B;
+    move(tip.x(), tip.y());
+    down = true;
+    frame(2);
+    for (int i = 1; i <= 5; ++i) {
+      move(tip.x() - 6 * i, tip.y() - 3 * i);
+      ASSERT_FALSE(tips().empty());
+      EXPECT_LT((Vec2(tips().front().x0, tips().front().y0) - before).norm(), 0.5) << step + 1 << ' ' << i;
+    }
+    down = false;
+    frame(3);
+    EXPECT_GT((session.model()->scene.w0_B - w0_B).norm(), 1e-3) << step + 1;
+    EXPECT_LT((Vec2(tips().front().x0, tips().front().y0) - before).norm(), 0.5) << step + 1 << " let go";
+  }
+  EXPECT_GE(taken, 6);
+}
+
+// 2026-11-28: where a panel covers the figure its buttons lay over the text.
+TEST_F(ScreenTest, WhatLiesOnTheFigureCoversNoText) {
+  const auto& stages = session.lesson().stages;
+  int seen = 0;
+  for (const auto& [size, text_scale] :
+       {std::pair(Size{800, 560}, 1.0), std::pair(Size{1280, 800}, kMostTextScale), std::pair(kSize, 1.0)})
+    for (const StepPlace& place : {StepPlace{8, 9}, StepPlace{18, 1}, StepPlace{1, 0}})
+      for (const Panel panel : {Panel::none, Panel::body, Panel::save, Panel::question}) {
+        ASSERT_LT(place.stage, stages.size());
+        session.preferences.text_scale = text_scale;
+        session.go_to(place);
+        session.panel = panel;
+        SceneEdits edits;
+        set_shown(edits, session.lesson_scene(), Overlay::labels,
+                  !session.lesson_scene().show.contains(Overlay::labels));
+        ASSERT_TRUE(session.set_edits(edits));
+        for (int i = 0; i < 4; ++i)
+          ASSERT_TRUE(screen->draw(session, {.size = size, .scale = 1, .seconds = 0.02}));
+        const PixelBox& column = screen->page().page().column;
+        for (const char* name : {"changed-scene", "size-of-figure", "numbers"}) {
+          const ImGuiWindow* window = ImGui::FindWindowByName(name);
+          if (window == nullptr || !window->Active) continue;
+          ++seen;
+          const ImRect at = window->Rect();
+          const bool is_clear = at.Min.x >= column.x1 || at.Max.x <= column.x0 || at.Min.y >= column.y1 ||
+                                at.Max.y <= std::max(column.y0, screen->page().page().ceiling);
+          EXPECT_TRUE(is_clear) << name << " in stage " << place.stage + 1 << ", panel "
+                                << static_cast<int>(panel) << ", " << size.width;
+        }
+      }
+  EXPECT_GT(seen, 8);
+}
+
+// 2026-11-28: it took the caption away, and nothing was to be seen.
+TEST_F(ScreenTest, AGhostOfAnExactMotionIsRefusedAndTheCaptionStays) {
+  frame(3);
+  const std::string caption = session.model()->scene.caption;
+  ASSERT_FALSE(caption.empty());
+  ASSERT_TRUE(screen->press(session, "G"));
+  EXPECT_EQ(session.model()->scene.caption, caption);
+  EXPECT_TRUE(session.edits().empty());
+  EXPECT_FALSE(screen->notice().empty());
+  SceneEdits edits;
+  edits.motion = MotionSpec{.method = Method::rk4, .step_s = 0.01};
+  ASSERT_TRUE(session.set_edits(edits));
+  frame(2);
+  ASSERT_TRUE(screen->press(session, "G"));
+  EXPECT_TRUE(session.model()->scene.motion.ghost);
+}
+
+// 2026-11-28: Tab went to the first symbol of the stage, which was scrolled out of sight long ago.
+TEST_F(ScreenTest, TabBeginsWithWhatIsSeen) {
+  const auto& stages = session.lesson().stages;
+  int tried = 0;
+  for (std::size_t stage = 0; stage < stages.size() && tried < 3; ++stage) {
+    session.go_to({stage, stages[stage].steps.size() - 1});
+    frame(3);
+    const Page& page = screen->page().page();
+    const double hidden = page.hidden;
+    if (hidden < 200 || screen->page().first_seen() == screen->page().symbols().size()) continue;
+    ++tried;
+    for (const char* key : {"Tab", "Shift+Tab"}) {
+      screen->press(session, key);
+      frame(2);
+      EXPECT_EQ(screen->page().page().hidden, hidden) << key << " in stage " << stage + 1;
+      EXPECT_NE(session.lit(), "") << key;
+      screen->press(session, "Escape");
+      frame(2);
+    }
+  }
+  EXPECT_EQ(tried, 3);
+}
+
+// 2026-11-28: Enter, which explains what Tab has reached, closed the note that Tab had opened.
+TEST_F(ScreenTest, EnterKeepsTheNoteOfWhatTabHasReached) {
+  session.go_to({1, 0});
+  frame(3);
+  screen->press(session, "Tab");
+  frame(3);
+  const Image explained = screen->read();
+  EXPECT_TRUE(screen->press(session, "Enter"));
+  frame(3);
+  EXPECT_EQ(screen->read().rgba, explained.rgba);
+  screen->press(session, "Escape");
+  frame(3);
+  EXPECT_NE(screen->read().rgba, explained.rgba);
+}
+
+TEST_F(ScreenTest, F6SaysThatThereIsNoPanel) {
+  frame(3);
+  const Image before = screen->read();
+  EXPECT_TRUE(screen->press(session, "F6"));
+  EXPECT_NE(screen->notice().find("No panel"), std::string::npos);
+  frame(3);
+  EXPECT_NE(screen->read().rgba, before.rgba);
+}
+
+// 2026-11-28: what is told lay over the caption of the figure.
+TEST_F(ScreenTest, WhatIsToldCoversNoCaption) {
+  int tried = 0;
+  for (const std::size_t stage : {std::size_t{0}, std::size_t{1}, std::size_t{8}, std::size_t{18}})
+    for (const Size& size : {kSize, Size{800, 560}}) {
+      session.go_to({stage, 0});
+      if (!session.has_scene()) continue;
+      screen->tell("One line of what is told to a reader here");
+      for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(screen->draw(session, {.size = size, .scale = 1, .seconds = 0.02}));
+      const ImGuiWindow* strip = ImGui::FindWindowByName("strip");
+      ASSERT_NE(strip, nullptr);
+      const Page& page = screen->page().page();
+      int lowest = 0;
+      for (const Inset& inset : page.insets) lowest = std::max(lowest, inset.place.y + inset.place.height);
+      if (page.insets.empty()) continue;
+      ++tried;
+      EXPECT_LE(strip->Rect().Max.y, static_cast<float>(lowest)) << stage + 1 << ", " << size.width;
+    }
+  EXPECT_GT(tried, 4);
+}
+
+// 2026-11-28: the large figure had no captions.
+TEST_F(ScreenTest, TheLargeFigureHasItsCaption) {
+  frame(3);
+  ASSERT_FALSE(session.model()->scene.caption.empty());
+  const auto texts = [&] { return screen->page().page().sheet.texts.size(); };
+  screen->press(session, "D");
+  frame(3);
+  ASSERT_TRUE(session.is_enlarged());
+  const std::size_t with = texts();
+  const int above = screen->page().insets().front().place.height;
+  SceneEdits edits;
+  edits.w0_B = Vec3(0.3, 1, 0.2);
+  ASSERT_TRUE(session.set_edits(edits));
+  frame(3);
+  EXPECT_LT(texts(), with) << "of another motion it goes";
+  EXPECT_EQ(screen->page().insets().front().place.height, above) << "and its room stays";
 }
 
 TEST_F(ScreenTest, ShowHasAPictureOfEachOverlayThatIsSeenOneAFrame) {

@@ -73,6 +73,19 @@ TEST_F(SpeakerTest, NothingIsCutInAHalfOfAScreen) {
   }
 }
 
+// 2026-11-28: in a half of a wide screen the next step could not be read.
+TEST_F(SpeakerTest, TheNextStepIsAsLargeAsThePageInAHighWindow) {
+  both();
+  constexpr Size kHigh{960, 1080};
+  ImGui::SetCurrentContext(speaker->imgui());
+  for (int i = 0; i < 3; ++i)
+    ASSERT_TRUE(speaker->draw(session, {.size = kHigh, .scale = 1, .seconds = 0.02}));
+  const ImGuiWindow* notes = ImGui::FindWindowByName("notes");
+  ASSERT_NE(notes, nullptr);
+  EXPECT_GE(notes->Size.x, 479);
+  EXPECT_GT(notes->Pos.y, 290) << "below a picture that is as wide";
+}
+
 TEST_F(SpeakerTest, NotesAreOnTheSpeakersScreenAlone) {
   both();
   const Image audience = screen->read(), with_notes = speaker->read();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/session/method_words.h"
+#include "app/session/words/method_words.h"
 
 #include <optional>
 
