@@ -176,6 +176,8 @@ constexpr std::array kCommands = {
                  [](LessonSession& session) { session.reset_edits(); }},
     CommandFacts{C::undo, "Ctrl+Z", "Body", "undo the last change", true,
                  [](LessonSession& session) { session.undo(); }},
+    CommandFacts{C::redo, "Ctrl+Y, Shift+Ctrl+Z", "Body", "make it again", true,
+                 [](LessonSession& session) { session.redo(); }},
 
     CommandFacts{C::next_symbol, "Tab", "Understand", "next symbol", true},
     CommandFacts{C::previous_symbol, "Shift+Tab", "Understand", "previous symbol", true},
@@ -237,7 +239,8 @@ constexpr std::array kCommands = {
 
 /// What moves, turns or changes the figure.
 bool is_of_figure(const CommandFacts& facts) {
-  return facts.group == "Time" || (facts.group == "Body" && facts.command != C::undo);
+  return facts.group == "Time" ||
+         (facts.group == "Body" && facts.command != C::undo && facts.command != C::redo);
 }
 
 }  // namespace
@@ -301,6 +304,8 @@ std::string why_idle(const LessonSession& session, Command command) {
       return !session.edits().empty() || session.is_following() ? "" : "This is the lesson's scene.";
     case C::undo:
       return session.can_undo() ? "" : "There is no change to undo.";
+    case C::redo:
+      return session.can_redo() ? "" : "Nothing was undone that could be made again.";
     case C::larger_text:
       return session.preferences.text_scale < kMostTextScale ? "" : "The text is as large as can be.";
     case C::smaller_text:

@@ -45,6 +45,7 @@ enum class Command {
   help,
   reset_scene,
   undo,
+  redo,
   follow,
   enlarge,
   next_view,

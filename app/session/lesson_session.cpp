@@ -142,6 +142,7 @@ void LessonSession::arrive(StepPlace place) {
   const bool is_kept = kept != kept_.end() && set_edits(kept->second.edits);
   const bool comes_back = is_kept && !kept->second.edits.empty();
   undo_ = is_kept ? kept->second.undo : std::vector<Change>{};
+  redo_ = is_kept ? kept->second.redo : std::vector<Change>{};
   change_is_new_ = true;
   if (goes_on) {
     set_time(t_s);
@@ -154,10 +155,10 @@ void LessonSession::arrive(StepPlace place) {
 void LessonSession::keep_edits() {
   if (!has_scene()) return;
   const SceneEdits& made = aside_ ? aside_->before : edits_;
-  if (made.empty() && undo_.empty())
+  if (made.empty() && undo_.empty() && redo_.empty())
     kept_.erase(step().scene.get());
   else
-    kept_[step().scene.get()] = {made, undo_};
+    kept_[step().scene.get()] = {made, undo_, redo_};
 }
 
 void LessonSession::set_visited(const std::set<std::string>& stages) {
@@ -201,6 +202,7 @@ void LessonSession::show_lesson_scene() {
   playing_ = false;
   edits_ = {};
   undo_.clear();
+  redo_.clear();
   change_is_new_ = true;
   aside_.reset();
   t_s_ = loop_ = 0;
@@ -373,25 +375,35 @@ void LessonSession::note_change(const SceneEdits& before, double before_s) {
   if (before.is_counterexample || edits_.is_counterexample) return;
   if (of_look_before == edits_) return;
   if (std::exchange(change_is_new_, false)) {
+    redo_.clear();
     undo_.push_back({before, before_s, {}});
     if (undo_.size() > kMostKept) undo_.erase(undo_.begin());
   }
   if (!undo_.empty()) undo_.back().camera = edits_.camera;
 }
 
-bool LessonSession::undo() {
-  if (undo_.empty() || aside_) return false;
-  Change change = std::move(undo_.back());
-  undo_.pop_back();
+/// To what was before the last of `from`; what is shown now is what the last of `to` leads back to.
+bool LessonSession::go_back(std::vector<Change>& from, std::vector<Change>& to) {
+  if (from.empty() || aside_) return false;
+  Change change = std::move(from.back());
+  from.pop_back();
+  Change back{edits_, t_s_, {}};
   if (edits_.camera != change.camera) change.before.camera = edits_.camera;
   const bool another = starts_another_motion(change.before, edits_);
-  std::vector<Change> earlier = std::move(undo_);
+  std::vector<Change> undo = std::move(undo_), redo = std::move(redo_);  // this is no change by hand
   const bool is_made = static_cast<bool>(set_edits(change.before));
   if (is_made && another) go_on_from(change.before_s);
-  undo_ = std::move(earlier);
+  undo_ = std::move(undo);
+  redo_ = std::move(redo);
   change_is_new_ = true;
-  return is_made;
+  if (!is_made) return false;
+  back.camera = edits_.camera;
+  to.push_back(std::move(back));
+  return true;
 }
+
+bool LessonSession::undo() { return go_back(undo_, redo_); }
+bool LessonSession::redo() { return go_back(redo_, undo_); }
 
 std::vector<Variation> LessonSession::variations() const {
   if (!step().varied) return {};

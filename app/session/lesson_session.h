@@ -150,9 +150,12 @@ class LessonSession {
   /// What is edited from now on is undone by itself; all that is edited between two calls is one change.
   void begin_change() { change_is_new_ = true; }
   bool can_undo() const { return !undo_.empty(); }
+  bool can_redo() const { return !redo_.empty(); }
   /// Takes back the last change of this scene, to which reset_edits() belongs, with the time and the camera
   /// that it brought; a camera that was turned since stays. False: there is none.
   bool undo();
+  /// Makes again what was taken back last, likewise; a change by hand ends what can be made again.
+  bool redo();
   /// Follows nothing any more; a motion that was changed begins at the scene's own time.
   void reset_edits();
   /// Whether a figure can show what makes it one: a body, its ω and torque, and nothing besides.
@@ -297,9 +300,11 @@ class LessonSession {
   };
   std::vector<Change> undo_;  ///< each change of this scene
   bool change_is_new_ = true;
+  std::vector<Change> redo_;  ///< each that was taken back
+  bool go_back(std::vector<Change>& from, std::vector<Change>& to);
   struct Kept {
     SceneEdits edits;
-    std::vector<Change> undo;
+    std::vector<Change> undo, redo;
   };
   std::map<const Scene*, Kept> kept_;  ///< of scenes that were left
   std::string lit_;

@@ -218,6 +218,7 @@ void Screen::offer_of_figure(LessonSession& session) {
   if (menu_item(Command::next_view, "Seen from: the next")) do_command(session, Command::next_view);
   if (ImGui::MenuItem("The lesson's camera")) session.set_camera(session.lesson_scene().camera);
   if (menu_item(Command::undo, "Undo", session.can_undo())) do_command(session, Command::undo);
+  if (menu_item(Command::redo, "Redo", session.can_redo())) do_command(session, Command::redo);
   if (menu_item(Command::reset_scene, "The lesson's scene", !session.edits().empty()))
     do_command(session, Command::reset_scene);
   if (ImGui::MenuItem("Save the figure")) requests_.save_as = SaveAs::figure;

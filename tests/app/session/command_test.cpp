@@ -206,6 +206,7 @@ TEST(Command, TellsWhyItHasNothingToDo) {
   EXPECT_EQ(why("R"), "This is the lesson's scene.");
   EXPECT_NE(why("G"), "");
   EXPECT_EQ(why("Ctrl+Z"), "There is no change to undo.");
+  EXPECT_NE(why("Ctrl+Y"), "");
   EXPECT_EQ(why("]"), "This step has no number to vary.");
   for (const char* key : {".", "L", "H"}) EXPECT_NE(why(key), "") << key;
   session.set_speed(kFastest);

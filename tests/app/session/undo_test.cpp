@@ -32,6 +32,57 @@ TEST(Undo, TakesBackOneChangeAfterTheOther) {
   EXPECT_FALSE(session.undo());
 }
 
+TEST(Redo, MakesAgainWhatWasTakenBackUntilSomethingElseIsDone) {
+  LessonSession session(example());
+  const Vec3 first(1, 0, 0.1), second(0, 1, 0.1), other(0, 0, 1);
+  EXPECT_FALSE(session.redo());
+  start_with(session, first);
+  start_with(session, second);
+  session.scrub_to(0.25);
+  const Vec3 shown = session.model()->motion->w_B_at(0.25);
+  EXPECT_TRUE(session.undo() && session.undo());
+  EXPECT_TRUE(session.edits().empty());
+  EXPECT_TRUE(do_command(session, *command_of("Ctrl+Y")));
+  EXPECT_EQ(session.edits().w0_B, first);
+  EXPECT_TRUE(do_command(session, *command_of("Shift+Ctrl+Z")));
+  EXPECT_EQ(session.edits().w0_B, second);
+  EXPECT_EQ(session.t_s(), 0.25);
+  EXPECT_EQ(session.model()->motion->w_B_at(0.25), shown);
+  EXPECT_FALSE(session.can_redo());
+  // What is made again can be taken back again.
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.edits().w0_B, first);
+  EXPECT_TRUE(session.can_redo());
+  start_with(session, other);
+  EXPECT_FALSE(session.can_redo());
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.edits().w0_B, first);
+}
+
+TEST(Redo, OutlivesAWalkAndAResetIsOneOfTheChanges) {
+  LessonSession session(example());
+  const StepPlace here = session.place();
+  start_with(session, {1, 0, 0.1});
+  session.reset_edits();
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.edits().w0_B, Vec3(1, 0, 0.1));
+  session.go_to({1, 0});
+  session.go_to(here);
+  EXPECT_TRUE(session.redo());
+  EXPECT_TRUE(session.edits().empty());
+}
+
+TEST(Redo, LeavesTheCameraThatWasTurnedSince) {
+  LessonSession session(example());
+  start_with(session, {1, 0, 0.1});
+  EXPECT_TRUE(session.undo());
+  session.set_camera({.azimuth_rad = 2});
+  EXPECT_TRUE(session.can_redo()) << "to look at it from elsewhere changes nothing";
+  EXPECT_TRUE(session.redo());
+  EXPECT_EQ(session.edits().w0_B, Vec3(1, 0, 0.1));
+  EXPECT_NEAR(session.camera().azimuth_rad, 2, 1e-5) << "as it is written";
+}
+
 TEST(Undo, ADragIsOneChange) {
   LessonSession session(example());
   start_with(session, {1, 0, 0.1});

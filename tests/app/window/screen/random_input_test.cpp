@@ -162,9 +162,10 @@ class RandomInput : public ScreenTest {
     EXPECT_EQ(other.model()->scene, played->model()->scene) << told;
   }
 
-  /// What is undone comes to an end, and shows at each step what the edits say.
+  /// What is undone comes to an end, and made again it is what it was.
   void expect_undo_to_end() {
     played->leave_counterexample();
+    const SceneEdits made = played->edits();
     int undone = 0;
     while (played->can_undo() && undone <= 100) {
       EXPECT_TRUE(played->undo()) << told;
@@ -172,6 +173,11 @@ class RandomInput : public ScreenTest {
     }
     EXPECT_FALSE(played->can_undo()) << told;
     EXPECT_FALSE(played->undo()) << told;
+    expect_edits_are_shown();
+    for (; undone > 0; --undone) EXPECT_TRUE(played->redo()) << told;
+    SceneEdits again = played->edits();
+    again.camera = made.camera;  // one that was turned by hand stays
+    EXPECT_EQ(again, made) << told;
     expect_edits_are_shown();
   }
 
