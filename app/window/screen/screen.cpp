@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -66,6 +67,13 @@ bool is_for_panel(Panel panel, std::string_view key) {
 
 /// A remote clicker has no others: before an audience they walk, whatever has the keyboard.
 bool is_of_clicker(std::string_view key) { return key == "PageUp" || key == "PageDown"; }
+
+/// Where they end below; captions stand there. Infinite: there is none.
+float end_of_pictures(const std::vector<Inset>& insets) {
+  int lowest = 0;
+  for (const Inset& inset : insets) lowest = std::max(lowest, inset.place.y + inset.place.height);
+  return lowest > 0 ? static_cast<float>(lowest) : std::numeric_limits<float>::infinity();
+}
 
 Size whole(const Region& region) {
   return {std::max(1, static_cast<int>(region.width)), std::max(1, static_cast<int>(region.height))};
@@ -466,9 +474,7 @@ Region Screen::region_of_notices(const LessonSession& session, Size size) const 
     region.x = left;
     region.width -= left;
   }
-  int lowest = 0;
-  for (const Inset& inset : page_->insets()) lowest = std::max(lowest, inset.place.y + inset.place.height);
-  if (lowest > 0) region.height = std::min(region.height, static_cast<float>(lowest));
+  region.height = std::min(region.height, end_of_pictures(page_->insets()));
   return region;
 }
 
@@ -542,7 +548,9 @@ void Screen::lay_out_sliders(LessonSession& session) {
                                                : TipHand::away;
   draw_drag_marks(session, page_->insets(), hand, right, *sizes_);
   if (right - left < kLeastRoom * sizes_->em) return;
-  const Region figure{left, static_cast<float>(at.y0), right - left, static_cast<float>(at.height())};
+  const auto top = static_cast<float>(at.y0),
+             end = std::min(static_cast<float>(at.y1), end_of_pictures(page_->insets()));
+  const Region figure{left, top, right - left, end - top};
   const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);

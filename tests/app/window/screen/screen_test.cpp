@@ -1011,6 +1011,9 @@ TEST_F(ScreenTest, TheLargeFigureHasItsCaption) {
   ASSERT_TRUE(session.set_edits(edits));
   frame(3);
   EXPECT_LT(texts(), with) << "of another motion it goes";
+  const ImGuiWindow* chip = ImGui::FindWindowByName("size-of-figure");
+  ASSERT_NE(chip, nullptr);
+  EXPECT_LE(chip->Rect().Max.y, static_cast<float>(above)) << "it stands on the picture";
   EXPECT_EQ(screen->page().insets().front().place.height, above) << "and its room stays";
 }
 
