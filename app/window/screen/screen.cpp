@@ -537,7 +537,7 @@ void Screen::lay_out_sliders(LessonSession& session) {
   if (session.is_black() || session.panel == Panel::lessons || at.width() <= 0) return;
   // What of it is beside a panel, if that is enough: what lies on the figure is covered with it, and never
   // lies on the text.
-  constexpr float kLeastRoom = 13;  // em
+  constexpr float kRoomOfButton = 7, kRoomOfAll = 13;  // em
   const ImVec2& size = ImGui::GetIO().DisplaySize;
   const float free = page_region(session, {static_cast<int>(size.x), static_cast<int>(size.y)}).width -
                      covered_width(session, {static_cast<int>(size.x), static_cast<int>(size.y)});
@@ -547,15 +547,16 @@ void Screen::lay_out_sliders(LessonSession& session) {
                        : drag_.is_near_omega() ? TipHand::near
                                                : TipHand::away;
   draw_drag_marks(session, page_->insets(), hand, right, *sizes_);
-  if (right - left < kLeastRoom * sizes_->em) return;
+  if (right - left < kRoomOfButton * sizes_->em) return;
   const auto top = static_cast<float>(at.y0),
              end = std::min(static_cast<float>(at.y1), end_of_pictures(page_->insets()));
   const Region figure{left, top, right - left, end - top};
+  draw_size_chip(session, page_->has_small_type(), figure, *sizes_);
+  if (figure.width < kRoomOfAll * sizes_->em) return;
   const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);
   draw_scene_chip(session, page_->insets(), drag_.holds_omega(), figure, *sizes_);
-  draw_size_chip(session, page_->has_small_type(), figure, *sizes_);
 }
 
 /// On the page, or in a figure that rests: while it moves its names do, too.
