@@ -79,7 +79,7 @@ class QuestionHtml {
       const std::string& unit = ask_.number->unit;
       return fmt::format(
           "<p class=\"typed\"><label for=\"{0}.typed\">{1}</label> <input id=\"{0}.typed\" "
-          "type=\"text\" inputmode=\"decimal\" size=\"12\"/> <span class=\"quiet\">{2}</span></p>\n",
+          "type=\"text\" inputmode=\"decimal\" size=\"12\"/> <span class=\"quiet word\">{2}</span></p>\n",
           id_,
           unit.empty() ? said(words::kYourAnswer)
                        : words::kYourAnswerIn.with(language(), {html_escaped(unit)}),

@@ -11,6 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace polhode {
 namespace {
 
@@ -121,9 +123,6 @@ fs::path made(const fs::path& lesson, const char* option, const fs::path& file) 
   return file;
 }
 
-constexpr std::array<const char*, 6> kLessons = {"euler-equations", "symmetric-top", "intermediate-axis",
-                                                 "heavy-top",       "numerical-lab", "intermediate-axis.de"};
-
 class AccessibleInBrowser : public testing::Test {
  protected:
   void SetUp() override {
@@ -147,19 +146,6 @@ TEST_F(AccessibleInBrowser, PagesToReadAndTheirIndexAndSlides) {
   expect_accessible(*browser_, made(lesson, "--reader", folder_ / "page.html"), axe);
   expect_accessible(*browser_, made(lesson, "--site", folder_ / "site") / "index.html", axe);
   expect_accessible(*browser_, made(lesson, "--deck", folder_ / "deck.html"), axe, false);
-  say_if_without(axe);
-}
-
-TEST_F(AccessibleInBrowser, EveryLesson) {
-  const std::string axe = axe_core();
-  const auto firefox = Firefox::start(1280, 900);  // may be null
-  for (const char* name : kLessons) {
-    const fs::path lesson = test::source_dir() / "lessons" / (std::string(name) + ".md");
-    const fs::path page = made(lesson, "--reader", folder_ / (std::string(name) + ".html"));
-    expect_accessible(*browser_, page, axe);
-    expect_spoken(*browser_, page);
-    if (firefox) expect_spoken(*firefox, page);
-  }
   say_if_without(axe);
 }
 
@@ -234,16 +220,41 @@ TEST_F(AccessibleInBrowser, TheKeyboardComesEverywhereInFirefox) {
   expect_keyboard(*firefox, folder_ / "page.html");
 }
 
-TEST_F(AccessibleInBrowser, EveryLessonByTheKeyboard) {
-  const auto firefox = Firefox::start(1280, 900);  // may be null
-  browser_->resize(1280, 900);
-  for (const char* name : kLessons) {
-    const fs::path lesson = test::source_dir() / "lessons" / (std::string(name) + ".md");
-    const fs::path page = made(lesson, "--reader", folder_ / (std::string(name) + ".html"));
-    expect_keyboard(*browser_, page);
-    if (firefox) expect_keyboard(*firefox, page);
+// ---- Whole lessons
+
+class EveryLesson : public AccessibleInBrowser, public testing::WithParamInterface<const char*> {
+ protected:
+  fs::path page() const {
+    const fs::path lesson = test::source_dir() / "lessons" / (std::string(GetParam()) + ".md");
+    return made(lesson, "--reader", folder_ / "page.html");
   }
+};
+
+TEST_P(EveryLesson, IsAccessibleAndSpoken) {
+  const std::string axe = axe_core();
+  const fs::path page = this->page();
+  expect_accessible(*browser_, page, axe);
+  expect_spoken(*browser_, page);
+  if (const auto firefox = Firefox::start(1280, 900)) expect_spoken(*firefox, page);
+  say_if_without(axe);
 }
+
+TEST_P(EveryLesson, IsReachedByTheKeyboard) {
+  const fs::path page = this->page();
+  browser_->resize(1280, 900);
+  expect_keyboard(*browser_, page);
+  if (const auto firefox = Firefox::start(1280, 900)) expect_keyboard(*firefox, page);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lessons, EveryLesson,
+                         testing::Values("symmetric-top", "heavy-top", "numerical-lab", "intermediate-axis",
+                                         "intermediate-axis.de", "euler-equations"),
+                         [](const auto& lesson) {
+                           std::string name = lesson.param;
+                           std::replace_if(
+                               name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace polhode

@@ -304,7 +304,7 @@ TEST(Reader, MarksAndUnitsStayBesideTheirFormulas) {
   });
   ASSERT_GE(words.size(), 4u);
   words.resize(4);
-  EXPECT_THAT(words, ElementsAre("(b),", "c\u00A0kg", "fg", "t equals 0 it"));
+  EXPECT_THAT(words, ElementsAre("(b),", "c\u00A0kg", "fg", "3.01 rad/s."));
 }
 
 TEST(Reader, TheTexToCopyHasItsNumbers) {
