@@ -225,7 +225,8 @@ Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckP
       {"style", style},
       {"script", script},
       {"without", deck.live ? live_without_script(deck.language) : ""},
-      {"live", deck.live ? live_elements(*deck.live, deck.language) + "<script>" + figures + "</script>\n" : ""},
+      {"live",
+       deck.live ? live_elements(*deck.live, deck.language) + "<script>" + figures + "</script>\n" : ""},
   };
   for (const words::PlacedPhrase& phrase : words::kDeck)
     texts.emplace(phrase.place, phrase.words.in(deck.language));

@@ -52,9 +52,8 @@ void draw_help(PanelContext& context) {
       "page. After a click in a panel arrows and Space are the page's.");
   heading("Questions");
   quiet_words(
-      "While Answer is open a letter or a digit picks that choice, or begins what is typed. Tab leaves a "
-      "field "
-      "for the next control and comes back to it, Escape leaves it for the page.");
+      "While Answer is open a letter or a digit picks that choice, or begins what is typed. Tab leaves "
+      "a field for the next control and comes back to it, Escape leaves it for the page.");
   heading("Lines that turn into others");
   quiet_words("Left and then Right plays the way of a line again.");
   heading("Mouse");

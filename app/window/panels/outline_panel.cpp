@@ -116,9 +116,8 @@ void OutlinePanel::choose_for_class(PanelContext& context) {
     return;
   }
   quiet_words(
-      "What has no mark is passed over while you present, and is not in the slides that Save makes. As long "
-      "as "
-      "there is no mark, all stages are shown.");
+      "What has no mark is passed over while you present, and is not in the slides that Save makes. As "
+      "long as there is no mark, all stages are shown.");
   if (ImGui::Button("Done")) chooses_ = false;
   ImGui::SameLine();
   if (ImGui::Button("All")) session.set_left_out({});
