@@ -144,7 +144,7 @@ TEST(LiveProgram, OnlyALivePageHasIt) {
     EXPECT_EQ(run.code, 0) << run.err;
     return text_of(folder / "page.html");
   };
-  EXPECT_THAT(page({}), AllOf(Not(HasSubstr("wasm")), Not(HasSubstr("data-stage"))));
+  EXPECT_THAT(page({}), AllOf(Not(HasSubstr("wasm")), Not(HasSubstr("data-stage=\""))));
   EXPECT_THAT(
       page({"--live"}),
       AllOf(HasSubstr("'wasm-unsafe-eval'"), HasSubstr("<figure data-stage=\"moves\" data-step=\"1\">"),
