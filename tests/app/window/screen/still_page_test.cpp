@@ -2,8 +2,11 @@
 // What a reader reads stands still: whatever panel opens, from step to step, in windows of all sizes.
 #include "tests/app/window/screen_harness.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace polhode {
 namespace {
@@ -71,24 +74,31 @@ TEST_F(StillPageTest, InAHighWindowAPanelLiesOverTheFigureAlone) {
   }
 }
 
-// That a scene was changed is told beside a panel, not over it: neither hides the other.
-TEST_F(StillPageTest, WhatLiesOnTheFigureKeepsClearOfAPanel) {
-  const Size small{900, 600};
-  session.panel = Panel::body;
-  draw_at(small);
-  const Image before = screen->read();
-  SceneEdits edits = session.edits();
-  edits.on.insert(Overlay::labels);
-  ASSERT_TRUE(session.set_edits(edits));
-  draw_at(small, 4);
-  const Image after = screen->read();
-  constexpr int kPanel = 640;  // its left edge is before that
-  int told = 0, hidden = 0;
-  for (int row = 0; row < 60; ++row)
-    for (int at = 0; at < small.width; ++at)
-      if (std::memcmp(before.pixel(at, row), after.pixel(at, row), 4) != 0) ++(at < kPanel ? told : hidden);
-  EXPECT_GT(told, 100);
-  EXPECT_EQ(hidden, 0);
+// That a scene was changed is told beside a panel, not over it: neither hides the other. Nor does it lie over
+// the text where the panel leaves too little of the figure.
+TEST_F(StillPageTest, WhatLiesOnTheFigureKeepsClearOfAPanelAndOfTheText) {
+  for (const auto& [size, has_room] : {std::pair(Size{1280, 800}, true), {Size{900, 600}, false}}) {
+    session.reset_edits();
+    session.panel = Panel::body;
+    draw_at(size, 4);
+    const Image before = screen->read();
+    const PixelBox figure = screen->page().page().figure;
+    const float panel = ImGui::FindWindowByName("panel")->Pos.x;
+    SceneEdits edits = session.edits();
+    edits.on.insert(Overlay::labels);
+    ASSERT_TRUE(session.set_edits(edits));
+    draw_at(size, 4);
+    const Image after = screen->read();
+    int on_text = 0, told = 0, hidden = 0;
+    for (int row = 0; row < 60; ++row)
+      for (int at = 0; at < size.width; ++at) {
+        if (std::memcmp(before.pixel(at, row), after.pixel(at, row), 4) == 0) continue;
+        ++(at < figure.x0 ? on_text : static_cast<float>(at) < panel ? told : hidden);
+      }
+    EXPECT_EQ(on_text, 0) << size.width;
+    EXPECT_EQ(hidden, 0) << size.width;
+    EXPECT_EQ(told > 100, has_room) << size.width;
+  }
 }
 
 // One size of type for all steps of all stages; what was there is there still, above what is new.
@@ -134,17 +144,22 @@ TEST_F(StillPageTest, WhatDoesNotFitIsScrolledByWheelAndKeys) {
   EXPECT_EQ(page.hidden, begun) << "a step that is come to is read from its beginning";
 }
 
+// Forward from what is seen, and then back to the beginning.
 TEST_F(StillPageTest, ASymbolInFocusIsScrolledTo) {
   session.go_to({0, session.lesson().stages[0].steps.size() - 1});
   frame(3);
   ASSERT_GT(screen->page().page().hidden, 0);
-  for (std::size_t i = 0; i < screen->page().symbols().size(); ++i) {
-    screen->press(session, "Tab");
+  const std::size_t first = screen->page().first_seen(), count = screen->page().symbols().size();
+  ASSERT_GT(first, 0U);
+  const auto come_to = [&](std::size_t symbol, const char* key) {
+    screen->press(session, key);
     frame(2);
-    const TypeBox& box = screen->page().symbols()[i].box;
-    EXPECT_GE(box.y0, 0) << i;
-    EXPECT_LE(box.y1, screen->page().picture().size().height) << i;
-  }
+    const TypeBox& box = screen->page().symbols()[symbol].box;
+    EXPECT_GE(box.y0, 0) << key << ' ' << symbol;
+    EXPECT_LE(box.y1, screen->page().picture().size().height) << key << ' ' << symbol;
+  };
+  for (std::size_t i = first; i < count; ++i) come_to(i, "Tab");
+  for (std::size_t i = count - 1; i-- > 0;) come_to(i, "Shift+Tab");
 }
 
 // 2026-11-27: in a window that is higher than wide what was scrolled away was written over the figure.
