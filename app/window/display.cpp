@@ -33,6 +33,19 @@ Size fitting(Size size) {
           std::max(kLeastHeight, std::min(size.height, room.height))};
 }
 
+/// Below it the bar has no room. Where a desktop counts pixels of the screen, as X11 does, text at 200 %
+/// needs twice as many of them; no more than the screen has.
+void limit_size(GLFWwindow* window) {
+  float scale = 1, unused = 1;
+  glfwGetWindowContentScale(window, &scale, &unused);
+  int width = 0, height = 0, pixels = 0;
+  glfwGetWindowSize(window, &width, &height);
+  glfwGetFramebufferSize(window, &pixels, &height);
+  const double units = pixels > 0 ? std::max(1.0, static_cast<double>(scale) * width / pixels) : 1.0;
+  const Size least = fitting({static_cast<int>(kLeastWidth * units), static_cast<int>(kLeastHeight * units)});
+  glfwSetWindowSizeLimits(window, least.width, least.height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+}
+
 WindowPointer make_glfw_window(bool with_opengl, Size size, GLFWwindow* shared = nullptr) {
   const bool is_known = size.width > 0 && size.height > 0;
   size = is_known ? fitting(size) : Size{kWidth, kHeight};
@@ -51,8 +64,7 @@ WindowPointer make_glfw_window(bool with_opengl, Size size, GLFWwindow* shared =
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   }
   WindowPointer window(glfwCreateWindow(size.width, size.height, "polhode", nullptr, shared));
-  if (window)
-    glfwSetWindowSizeLimits(window.get(), kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  if (window) limit_size(window.get());
   return window;
 }
 

@@ -13,6 +13,7 @@ constexpr double kSeconds = 6;
 
 void Notices::tell(const std::string& text, double clock_s) {
   text_ = text;
+  told_s_ = clock_s;
   until_s_ = clock_s + kSeconds;
 }
 

@@ -14,6 +14,7 @@ class Notices {
  public:
   void tell(const std::string& text, double clock_s);
   const std::string& told() const { return text_; }  ///< last
+  double told_at_s() const { return told_s_; }       ///< by the clock
   void set_lesson_errors(std::string errors) { lesson_errors_ = std::move(errors); }
   void set_page_error(std::string error) { page_error_ = std::move(error); }
 
@@ -24,7 +25,7 @@ class Notices {
 
  private:
   std::string text_, lesson_errors_, page_error_;
-  double until_s_ = 0;  ///< of the clock
+  double told_s_ = 0, until_s_ = 0;  ///< of the clock
 };
 
 }  // namespace polhode

@@ -53,6 +53,11 @@ bool is_for_field(std::string_view key) {
   return !(key.size() > 1 && key[0] == 'F');
 }
 
+bool awaits_answer(const LessonSession& session) {
+  const std::vector<const Ask*> asked = session.questions();
+  return std::any_of(asked.begin(), asked.end(), [&](const Ask* ask) { return session.is_awaited(*ask); });
+}
+
 /// What moves in a panel that has the keys. In one where there is nothing to choose they scroll, and the rest
 /// is the page's.
 bool is_for_panel(Panel panel, std::string_view key) {
@@ -175,7 +180,9 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   if (!walks && ((typing && is_for_field(key)) || is_of_panel)) return false;
   if (session.panel == Panel::question && !is_repeated) {
     if (answer_by_key(session, key)) return true;
-    if (const std::string why = why_no_choice(session, key); !why.empty() && !command_of(key)) {
+    // While the motion answers, a letter that was a choice a moment ago is no command.
+    if (const std::string why = why_no_choice(session, key);
+        !why.empty() && (!command_of(key) || awaits_answer(session))) {
       tell(why);
       return true;
     }
@@ -383,7 +390,7 @@ void Screen::type_ahead(LessonSession& session) {
 Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   const double begun_s = now_s();
   ImGui::SetCurrentContext(imgui_);
-  clock_s_ += frame.seconds;
+  const double last_s = std::exchange(clock_s_, clock_s_ + frame.seconds);
   session.advance(was_moving_ ? std::min(frame.seconds, kLongestFrame_s) : 0);  // rest is no time that passes
   adopt_style(session, frame);
   if (shown_place_ != session.place()) {
@@ -393,7 +400,8 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     symbols_.forget(session);
     held_back_.reset();
     choice_in_focus_.reset();
-    has_menu_ = false;  // what it offers is of the step before
+    has_menu_ = false;  // what it offers is of the step before, and so is what was told
+    if (notices_.told_at_s() < last_s) tell("");
   }
   if (notices_.told() == kAnswerFirst && held_back_ != session.place()) tell("");
   if (notices_.told() == kAnswerFirst && !has_open_prediction(session)) tell("");
@@ -462,7 +470,7 @@ Status Screen::keep_for_audience(const LessonSession& session) {
 /// At the lower edge of what a panel leaves of the page, but where there is a figure beside the text, or
 /// above it, and above the caption.
 Region Screen::region_of_notices(const LessonSession& session, Size size) const {
-  constexpr float kLeast = 16;  // em
+  constexpr float kLeast = 10;  // em
   Region region = page_region(session, size);
   region.width -= covered_width(session, size);
   const Page& page = page_->page();

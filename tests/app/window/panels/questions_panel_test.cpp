@@ -435,6 +435,29 @@ TEST_F(QuestionsPanelTest, ALetterOfAClosedQuestionSaysSo) {
   EXPECT_EQ(session.panel, Panel::body) << "one that is a command is that again: " << screen->notice();
 }
 
+// A letter that was a choice a moment ago opened a panel over the answer: B the body, D the figure alone.
+TEST_F(QuestionsPanelTest, WhileTheMotionAnswersALetterIsNoCommand) {
+  session.preferences.reduced_motion = false;
+  const Ask& ask = go_to_question("opening");
+  screen->press(session, "Q");
+  frame(3);
+  ASSERT_TRUE(screen->press(session, "A"));
+  frame(2);
+  ASSERT_TRUE(session.is_awaited(ask));
+  for (const char* key : {"B", "D"}) {
+    if (static_cast<std::size_t>(key[0] - 'A') >= ask.choices.size()) continue;
+    EXPECT_TRUE(screen->press(session, key));
+    EXPECT_EQ(screen->notice(), "The motion answers first.") << key;
+    EXPECT_EQ(session.panel, Panel::question) << key;
+    EXPECT_FALSE(session.is_enlarged());
+  }
+  session.end_play();
+  frame(2);
+  ASSERT_TRUE(screen->press(session, "Right") && screen->press(session, "Right"));
+  frame(2);
+  EXPECT_EQ(screen->notice(), "") << "it was of the step before";
+}
+
 TEST_F(QuestionsPanelTest, ChoicesOnThePageAreReachedByTab) {
   const Ask& ask = go_to_question("no-torque");
   frame(3);
