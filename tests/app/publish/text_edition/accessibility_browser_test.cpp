@@ -196,7 +196,9 @@ void expect_keyboard(AnyBrowser& browser, const fs::path& page) {
     ++looked_at;
     const std::string with = browser.screenshot();
     browser.value_of("window.held = document.activeElement, held.blur()");
-    EXPECT_NE(browser.screenshot(), with) << at["html"];
+    bool is_framed = false;  // once a busy machine has painted the page again
+    for (int i = 0; i < 20 && !is_framed; ++i) is_framed = browser.screenshot() != with;
+    EXPECT_TRUE(is_framed) << at["html"];
     browser.value_of("held.focus({preventScroll: true})");
   }
   EXPECT_EQ(count, wanted);
