@@ -85,15 +85,9 @@ std::string linked_html(const StepNote& note) {
 }
 
 std::string_view notes_label(Language language) {
-  for (const words::PlacedPhrase& phrase : words::kDeck)
-    if (std::string_view(phrase.place) == "notes") return phrase.words.in(language);
+  for (const NamedPhrase& phrase : words::kDeck)
+    if (phrase.name == "notes") return phrase.words.in(language);
   return {};
-}
-
-/// What the deck's script says, as JSON.
-std::string words_of_script(Language language) {
-  return fmt::format(R"({{"slide":"{}","typed":"{}","none":"{}"}})", words::kSlideIs.in(language),
-                     words::kSlideTyped.in(language), words::kNoSuchSlide.in(language));
 }
 
 std::string notes_html(const std::vector<StepNote>& notes, Language language) {
@@ -228,9 +222,8 @@ Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckP
       {"live",
        deck.live ? live_elements(*deck.live, deck.language) + "<script>" + figures + "</script>\n" : ""},
   };
-  for (const words::PlacedPhrase& phrase : words::kDeck)
-    texts.emplace(phrase.place, phrase.words.in(deck.language));
-  texts.emplace("words", html_escaped(words_of_script(deck.language)));
+  for (const NamedPhrase& phrase : words::kDeck) texts.emplace(phrase.name, phrase.words.in(deck.language));
+  texts.emplace("words", html_escaped(json_of(words::kDeckScript, deck.language)));
   const Sink sink(append);
   return append_frame(deck_assets::kDeckHtml, append, [&](const std::string& name) {
     return name == "slides" ? append_slides(deck, first, sink, go_on) : sink(texts.at(name));

@@ -117,12 +117,13 @@ Scene edited(Scene scene, const SceneEdits& edits) {
 
 CameraSpec camera_beside(const CameraSpec& lesson_camera, const CameraSpec& own, const CameraSpec& shown) {
   CameraSpec turned = shown;
-  // Those are the other scene's.
-  if (turned.fitted) turned.fitted->w0_B.reset();
-  if (turned.fitted) turned.fitted->attitude.reset();
-  const bool stands = turned.fitted && turned.fitted->azimuth_rad == turned.azimuth_rad &&
-                      turned.fitted->elevation_rad == turned.elevation_rad;
-  if (stands) turned.fitted.reset();
+  if (auto& fitted = turned.fitted) {
+    fitted->w0_B.reset();  // this and the attitude are the other scene's
+    fitted->attitude.reset();
+    const bool stands =
+        fitted->azimuth_rad == turned.azimuth_rad && fitted->elevation_rad == turned.elevation_rad;
+    if (stands) fitted.reset();
+  }
   return turned == lesson_camera || turned == writable(lesson_camera) ? own : turned;
 }
 

@@ -9,12 +9,7 @@
 
 namespace polhode::words {
 
-struct PlacedPhrase {
-  const char* place;
-  Phrase words;
-};
-
-inline constexpr auto kDeck = std::to_array<PlacedPhrase>({
+inline constexpr auto kDeck = std::to_array<NamedPhrase>({
     {"slides-label", {"Slides", "Folien"}},
     {"controls", {"Slide controls", "Steuerung der Folien"}},
     {"back", {"Back", "Zurück"}},
@@ -51,9 +46,11 @@ inline constexpr auto kDeck = std::to_array<PlacedPhrase>({
     {"close", {"Close", "Schließen"}},
 });
 
-inline constexpr Phrase kSlideIs{"Slide {0} of {1}: {2}", "Folie {0} von {1}: {2}"};
-inline constexpr Phrase kSlideTyped{"Slide {0}", "Folie {0}"};
-inline constexpr Phrase kNoSuchSlide{"There is no slide {0}; the last is {1}",
-                                     "Es gibt keine Folie {0}; die letzte ist {1}"};
+// What the script says.
+inline constexpr auto kDeckScript = std::to_array<NamedPhrase>({
+    {"slide", {"Slide {0} of {1}: {2}", "Folie {0} von {1}: {2}"}},
+    {"typed", {"Slide {0}", "Folie {0}"}},
+    {"none", {"There is no slide {0}; the last is {1}", "Es gibt keine Folie {0}; die letzte ist {1}"}},
+});
 
 }  // namespace polhode::words

@@ -5,6 +5,8 @@
 
 #include "base/words/phrase.h"
 
+#include <array>
+
 namespace polhode::words {
 
 inline constexpr Phrase kOutcomes{"What you will be able to do", "Lernziele"};
@@ -35,22 +37,21 @@ inline constexpr Phrase kTyped{"{0}, typed {1}", "{0}, eingegeben {1}"};
 inline constexpr Phrase kThen{" then ", " dann "};
 inline constexpr Phrase kForExampleTyped{"For example {0}", "Zum Beispiel {0}"};
 
-// What the page's script says.
-inline constexpr Phrase kPickOne{"Pick one of the choices.", "Eine der Antworten auswählen."};
-inline constexpr Phrase kRight{"Right.", "Richtig."};
-inline constexpr Phrase kNotRight{"Not right.", "Nicht richtig."};
-inline constexpr Phrase kGiveEachAPlace{"Give each of them a place of its own.",
-                                        "Jedem Schritt einen eigenen Platz geben."};
-inline constexpr Phrase kTypeANumber{"Type a number, such as 1.5 or 2e-3.",
-                                     "Eine Zahl eingeben, etwa 1,5 oder 2e-3."};
-inline constexpr Phrase kTypeANumberIn{"Type a number in {0}, such as 1.5 or 2e-3.",
-                                       "Eine Zahl in {0} eingeben, etwa 1,5 oder 2e-3."};
-inline constexpr Phrase kCopyTex{"Copy the TeX", "TeX kopieren"};
-inline constexpr Phrase kCopyTexOf{"Copy the TeX of equation {0}", "TeX der Gleichung {0} kopieren"};
-inline constexpr Phrase kCopied{"copied", "kopiert"};
-inline constexpr Phrase kLarger{"Larger", "Größer"};
-inline constexpr Phrase kSmaller{"Smaller", "Kleiner"};
-inline constexpr Phrase kWiderThanPage{"Wider than the page; scrolls",
-                                       "Breiter als die Seite; lässt sich verschieben"};
+// What the page's script says, by the names it asks for.
+inline constexpr auto kEditionScript = std::to_array<NamedPhrase>({
+    {"pickOne", {"Pick one of the choices.", "Eine der Antworten auswählen."}},
+    {"right", {"Right.", "Richtig."}},
+    {"notRight", {"Not right.", "Nicht richtig."}},
+    {"eachAPlace", {"Give each of them a place of its own.", "Jedem Schritt einen eigenen Platz geben."}},
+    {"aNumber", {"Type a number, such as 1.5 or 2e-3.", "Eine Zahl eingeben, etwa 1,5 oder 2e-3."}},
+    {"aNumberIn",
+     {"Type a number in {0}, such as 1.5 or 2e-3.", "Eine Zahl in {0} eingeben, etwa 1,5 oder 2e-3."}},
+    {"copyTex", {"Copy the TeX", "TeX kopieren"}},
+    {"copyTexOf", {"Copy the TeX of equation {0}", "TeX der Gleichung {0} kopieren"}},
+    {"copied", {"copied", "kopiert"}},
+    {"wider", {"Wider than the page; scrolls", "Breiter als die Seite; lässt sich verschieben"}},
+    {"larger", {"Larger", "Größer"}},
+    {"smaller", {"Smaller", "Kleiner"}},
+});
 
 }  // namespace polhode::words

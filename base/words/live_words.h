@@ -9,11 +9,6 @@
 
 namespace polhode::words {
 
-struct NamedPhrase {
-  const char* name;
-  Phrase words;
-};
-
 inline constexpr auto kLive = std::to_array<NamedPhrase>({
     // Its picture.
     {"live", {"Live", "Live"}},

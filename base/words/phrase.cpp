@@ -27,6 +27,14 @@ std::string Phrase::with(Language language, std::initializer_list<std::string_vi
   return filled;
 }
 
+std::string json_of(std::span<const NamedPhrase> phrases, Language language) {
+  std::string json = "{\"decimal\":\"";
+  json += decimal_mark(language);
+  for (const auto& [name, words] : phrases)
+    json.append("\",\"").append(name).append("\":\"").append(words.in(language));
+  return json + "\"}";
+}
+
 std::string with_decimals_in_formulas(std::string line, Language language) {
   if (decimal_mark(language) == '.') return line;
   std::string text;

@@ -6,6 +6,7 @@
 #include "base/words/language.h"
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -37,5 +38,15 @@ class Phrase {
 
   std::string_view texts_[kLanguages.size()];
 };
+
+/// One that a page or its script asks for by a name.
+struct NamedPhrase {
+  std::string_view name;
+  Phrase words;
+};
+
+/// `{"decimal":"MARK","NAME":"TEXT",…}`: where a page's script finds its words, and how numbers are written.
+/// No text of the program holds what JSON escapes.
+std::string json_of(std::span<const NamedPhrase> phrases, Language language);
 
 }  // namespace polhode

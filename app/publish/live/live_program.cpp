@@ -38,14 +38,6 @@ Outcome<std::string> read(const fs::path& file) {
   return std::string(bytes->begin(), bytes->end());
 }
 
-/// What the page's scripts say, as JSON.
-std::string words_of_script(Language language) {
-  std::string json = fmt::format("{{\"decimal\":\"{}\"", decimal_mark(language));
-  for (const words::NamedPhrase& phrase : words::kLive)
-    json += fmt::format(",\"{}\":\"{}\"", phrase.name, phrase.words.in(language));
-  return json + '}';
-}
-
 /// Any byte but "<" may stand in an element's text, so more bits fit into a character than base64 has: 13
 /// into two, each one of 93 from "!" to "}", with "~" in the place of "<"; 6 into one, if no more are left.
 class TextOfBits {
@@ -141,7 +133,7 @@ std::string live_elements(const LiveParts& live, Language language) {
   };
   const std::string lesson =
       fmt::format("<script type=\"application/json\" id=\"polhode.words\">{}</script>\n",
-                  words_of_script(language)) +
+                  json_of(words::kLive, language)) +
       element("lesson", "", packed_for_page(live.lesson_text));
   if (!live.program_file.empty())
     return lesson + element("file", fmt::format(" data-name=\"{}\"", html_escaped(live.program_file)), "");

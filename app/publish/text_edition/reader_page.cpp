@@ -387,21 +387,6 @@ struct Stop {
   std::optional<Error> error{};
 };
 
-/// What the page's script says, as JSON.
-std::string words_of_script(Language language) {
-  const std::pair<const char*, Phrase> kWords[] = {
-      {"pickOne", words::kPickOne},     {"right", words::kRight},
-      {"notRight", words::kNotRight},   {"eachAPlace", words::kGiveEachAPlace},
-      {"aNumber", words::kTypeANumber}, {"aNumberIn", words::kTypeANumberIn},
-      {"copyTex", words::kCopyTex},     {"copyTexOf", words::kCopyTexOf},
-      {"copied", words::kCopied},       {"wider", words::kWiderThanPage},
-      {"larger", words::kLarger},       {"smaller", words::kSmaller},
-  };
-  std::string json = fmt::format("{{\"decimal\":\"{}\"", decimal_mark(language));
-  for (const auto& [name, phrase] : kWords) json += fmt::format(",\"{}\":\"{}\"", name, phrase.in(language));
-  return json + '}';
-}
-
 Status append_stages(ReaderText& text, const AppendBytes& append, const ReaderProgress& go_on, Stop& stop) {
   Status status = success();
   std::size_t count = 0;
@@ -440,7 +425,7 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
       {"language", std::string(tag_of(lesson.about.language))},
       {"to-the-text", std::string(words::kToTheText.in(lesson.about.language))},
       {"contents", std::string(words::kContents.in(lesson.about.language))},
-      {"words", html_escaped(words_of_script(lesson.about.language))},
+      {"words", html_escaped(json_of(words::kEditionScript, lesson.about.language))},
       {"policy", policy},
       {"program", html_escaped(program_name_and_version())},
       {"title", html_escaped(lesson.title)},

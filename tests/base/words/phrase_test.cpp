@@ -20,6 +20,12 @@ TEST(Phrases, AreFilledInTheOrderOfEachLanguage) {
   EXPECT_EQ(kTex.with(Language::de, {"7"}), "b {,} {x} {0") << "braces of TeX stay";
 }
 
+TEST(Phrases, AreFoundByTheirNamesInThePage) {
+  constexpr NamedPhrase kPhrases[] = {{"left", {"to the left", "nach links"}}, {"up", {"up", "nach oben"}}};
+  EXPECT_EQ(json_of(kPhrases, Language::en), R"({"decimal":".","left":"to the left","up":"up"})");
+  EXPECT_EQ(json_of(kPhrases, Language::de), R"({"decimal":",","left":"nach links","up":"nach oben"})");
+}
+
 TEST(Decimals, AreThoseOfTheLanguage) {
   EXPECT_EQ(with_decimals("|L| = 2.50 J, $h$ = $0.02$ s.", Language::en), "|L| = 2.50 J, $h$ = $0.02$ s.");
   EXPECT_EQ(with_decimals("|L| = 2.50 J, $h$ = $0.02$ s.", Language::de), "|L| = 2,50 J, $h$ = $0{,}02$ s.");

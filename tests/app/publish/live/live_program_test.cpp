@@ -63,7 +63,7 @@ TEST(LiveProgram, HasTheWordsThatTheScriptsOfPagesAskFor) {
   const std::regex use(R"(\bwords\.(\w+))");
   for (std::sregex_iterator found(script.begin(), script.end(), use), end; found != end; ++found)
     if ((*found).prefix().str().back() != '.') asked.insert((*found)[1]);  // `this.words` is the program's
-  for (const words::NamedPhrase& phrase : words::kLive) there.insert(phrase.name);
+  for (const NamedPhrase& phrase : words::kLive) there.emplace(phrase.name);
   EXPECT_EQ(asked, there);
 }
 
