@@ -184,10 +184,11 @@ namespace {
 
 /// @param written as the scene has it; `caption`, read
 std::string caption_at(const Lesson& lesson, const std::string& written, const RichText* caption,
-                       const SceneModel& model, double t_s, const LongestNumbers& longest) {
+                       const SceneModel& model, double t_s, const LongestNumbers& longest,
+                       CaptionBlanks blanks) {
   if (caption == nullptr || written.empty() || numbers_in(*caption).empty()) return written;
   const auto live = live_state(model, t_s);
-  std::string line;
+  std::string line, lacking;
   const auto add_formula = [&](const TextSpan& span) {
     std::string tex;
     std::size_t at = 0;
@@ -199,7 +200,8 @@ std::string caption_at(const Lesson& lesson, const std::string& written, const R
       const std::string now = tex_of(computed, live ? value_of(computed, *live) : std::nullopt);
       const auto widest = longest.find(number.id);
       if (widest != longest.end() && is_plain(now) && now.size() < widest->second.size())
-        tex += "\\hphantom{" + widest->second.substr(0, widest->second.size() - now.size()) + '}';
+        (blanks == CaptionBlanks::behind ? lacking : tex) +=
+            "\\hphantom{" + widest->second.substr(0, widest->second.size() - now.size()) + '}';
       tex += '{' + now + '}' + unit_tex(number.unit);
     }
     line += '$' + tex + span.text.substr(at) + '$';
@@ -208,27 +210,28 @@ std::string caption_at(const Lesson& lesson, const std::string& written, const R
     if (span.kind == TextSpan::Kind::math) return add_formula(span);
     for (const char c : span.text) line += c == '$' ? std::string("\\$") : std::string(1, c);
   });
-  return line;
+  return lacking.empty() ? line : line + '$' + lacking + '$';
 }
 
 }  // namespace
 
 std::vector<std::string> captions_at(const Lesson& lesson, const Step& step, const SceneModel& model,
-                                     double t_s, const LongestNumbers& longest) {
+                                     double t_s, const LongestNumbers& longest, CaptionBlanks blanks) {
   std::vector<std::string> captions;
   for (const SceneModel* shown : shown_models(model))
-    captions.push_back(
-        caption_at(lesson, shown->scene.caption, caption_of(step, captions.size()), *shown, t_s, longest));
+    captions.push_back(caption_at(lesson, shown->scene.caption, caption_of(step, captions.size()), *shown,
+                                  t_s, longest, blanks));
   return captions;
 }
 
 std::vector<std::string> lesson_captions_at(const Lesson& lesson, const Step& step, const SceneModel& model,
-                                            double t_s, const LongestNumbers& longest) {
+                                            double t_s, const LongestNumbers& longest, CaptionBlanks blanks) {
   const std::vector<const Scene*> scenes = shown_scenes(*step.scene);
   std::vector<std::string> captions;
   for (const SceneModel* shown : shown_models(model)) {
     const std::size_t i = std::min(captions.size(), scenes.size() - 1);
-    captions.push_back(caption_at(lesson, scenes[i]->caption, caption_of(step, i), *shown, t_s, longest));
+    captions.push_back(
+        caption_at(lesson, scenes[i]->caption, caption_of(step, i), *shown, t_s, longest, blanks));
   }
   return captions;
 }

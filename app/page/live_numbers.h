@@ -72,13 +72,17 @@ std::map<int, std::vector<double>> values_over(const SceneModel& model, const Le
 using LongestNumbers = std::map<int, std::string>;
 LongestNumbers longest_in_captions(const Lesson& lesson, const Step& step, const SceneModel& model);
 /// The captions of a step's scenes at one time, in the order in which they stand, each with its numbers put
-/// in, of its own motion: lines with formulas between `$`, as set_line has them. A number that is shorter
-/// than the longest has a blank before it.
+/// in, of its own motion: lines with formulas between `$`, as set_line has them. What its numbers lack of the
+/// longest is blank: before each, so that all that is between them stands still, or behind the caption, which
+/// then has no gaps and begins where it began.
+enum class CaptionBlanks { before_numbers, behind };
 std::vector<std::string> captions_at(const Lesson& lesson, const Step& step, const SceneModel& model,
-                                     double t_s, const LongestNumbers& longest = {});
+                                     double t_s, const LongestNumbers& longest = {},
+                                     CaptionBlanks blanks = CaptionBlanks::before_numbers);
 /// The same of the lesson's captions, whichever the models have: what rooms are kept for. The step has a
 /// scene.
 std::vector<std::string> lesson_captions_at(const Lesson& lesson, const Step& step, const SceneModel& model,
-                                            double t_s, const LongestNumbers& longest = {});
+                                            double t_s, const LongestNumbers& longest = {},
+                                            CaptionBlanks blanks = CaptionBlanks::before_numbers);
 
 }  // namespace polhode

@@ -40,7 +40,8 @@ constexpr double kWidestText = 0.62;  ///< of a wide page, with its margins
 constexpr double kLeastEm = 16;       ///< px, of prose in a window: small windows scroll
 constexpr double kLeastPlot = 11;     ///< em of small type, in width
 constexpr double kBetweenFigures = 0.5;
-constexpr double kLeastBeside = 11;  ///< em: of a figure beside a panel, which lies over what is more
+constexpr double kLeastBeside = 11;  ///< em: of a figure beside a panel, under which one with less room lies
+constexpr double kLeastMargin = 2;   ///< where type is larger than the window is meant for
 
 // Of slides. The x-height of the text type is 0.469 em: 1.9 % of the height, as large as that of Beamer's
 // slides; that of the smallest labels, 0.62 em of the sans, is 1.3 %.
@@ -79,14 +80,22 @@ struct Room {
   double covered = 0;       ///< px at the right
 };
 
-/// The right end of what a panel leaves of the room from `left` on.
+/// The right end of what a panel leaves of the room from `left` on; of all of it where that is too little.
 double uncovered(const Room& room, double left, double em) {
-  return std::max(room.w - room.covered, std::min(room.w, left + kLeastBeside * em));
+  const double right = room.w - room.covered;
+  return right - left < kLeastBeside * em ? room.w : right;
 }
 
 /// Width of the text column in normal em: with larger type it grows up to `most`.
 double measure_of(double text_scale, double most) {
   return kMeasure * std::min(text_scale, std::max(1.0, most / kMeasure));
+}
+
+/// The same of text that has the whole width of a page. Type that is larger than the window is meant for has
+/// shorter lines.
+double measure_across(const Room& room, double em, double fitting_em) {
+  const double measure = measure_of(room.text_scale, room.w / em - 2.0 * kMargin);
+  return em > fitting_em ? std::min(measure, room.w / em - 2.0 * kLeastMargin) : measure;
 }
 
 /// What is read at a glance need not grow as much as what is read for long.
@@ -114,9 +123,9 @@ Grid side_by_side(const Room& room) {
 /// needs.
 Grid one_above_the_other(const Room& room) {
   const auto [w, h, meter_rows, text_scale, shows_space, least_em, covered] = room;
-  const double em =
-      std::max(std::min(w / (kMeasure + 2.0 * kMargin), h / 44.0), std::min(least_em, w / kFewestEms));
-  const double measure = measure_of(text_scale, w / em - 2.0 * kMargin);
+  const double fitting_em = std::min(w / (kMeasure + 2.0 * kMargin), h / 44.0),
+               em = std::max(fitting_em, std::min(least_em, w / kFewestEms));
+  const double measure = measure_across(room, em, fitting_em);
   const double rows = std::min(2.0, static_cast<double>(meter_rows));
   const double figure = (rows > 1.0 ? 0.27 : 0.34) * h / half_as_much(text_scale),
                below = figure + 0.14 * rows * h;
@@ -131,10 +140,10 @@ Grid one_above_the_other(const Room& room) {
 
 Grid text_alone(const Room& room) {
   const auto [w, h, meter_rows, text_scale, shows_space, least_em, covered] = room;
-  const double em =
-      std::max(std::min(w / (kMeasure + 2.0 * kMargin), h / 26.0), std::min(least_em, w / kFewestEms));
+  const double fitting_em = std::min(w / (kMeasure + 2.0 * kMargin), h / 26.0),
+               em = std::max(fitting_em, std::min(least_em, w / kFewestEms));
   // Beside a panel it moves aside, and only where that is not enough its lines are shorter.
-  const double wished = measure_of(text_scale, w / em - 2.0 * kMargin);
+  const double wished = measure_across(room, em, fitting_em);
   const double measure = covered > 0 ? std::min(wished, (w - covered) / em - 2.0) : wished;
   const double centred = 0.5 * (w - measure * em);
   const double left = covered > 0 ? std::min(centred, 0.5 * (w - covered - measure * em)) : centred;
@@ -237,7 +246,7 @@ Room room_of(const PageRequest& request) {
           rows_below(request),
           request.text_scale,
           request.model && shows_space(request.model->drawn, request.model->needs.marks),
-          request.scrolls ? kLeastEm : 0.0,
+          request.scrolls ? kLeastEm * request.display_scale : 0.0,
           request.covered};
 }
 
@@ -264,9 +273,7 @@ TimePlotStyle plot_style(Theme theme, double type_size) {
           .paper = colors.paper};
 }
 
-double small_type(const PageRequest& request, double px) {
-  return request.scrolls ? std::max(px, kLeastSmall) : px;
-}
+double small_type(const PageRequest& request, double px) { return std::max(px, least_type_px(request)); }
 
 struct Captions {
   std::vector<std::string> words;  ///< of each scene that is shown
@@ -274,12 +281,14 @@ struct Captions {
 };
 
 Captions captions_of(const PageRequest& request, const FigureCell& cell, const FittedText& text) {
-  Captions captions{captions_at(request.lesson, *cell.step, *cell.model, cell.t_s, text.in_captions)};
+  const CaptionBlanks blanks = request.scrolls ? CaptionBlanks::behind : CaptionBlanks::before_numbers;
+  Captions captions{captions_at(request.lesson, *cell.step, *cell.model, cell.t_s, text.in_captions, blanks)};
   const bool has_none = std::all_of(captions.words.begin(), captions.words.end(),
                                     [](const std::string& one) { return one.empty(); });
   captions.rooms_alone = request.scrolls && has_none && cell.step->scene;
   if (captions.rooms_alone)
-    captions.words = lesson_captions_at(request.lesson, *cell.step, *cell.model, cell.t_s, text.in_captions);
+    captions.words =
+        lesson_captions_at(request.lesson, *cell.step, *cell.model, cell.t_s, text.in_captions, blanks);
   return captions;
 }
 
@@ -537,6 +546,10 @@ Result<SlideType> slide_type_of(const PageRequest& request, const Fonts& fonts) 
   return SlideType{columns.back(), kSlideScales.back()};
 }
 
+double least_type_px(const PageRequest& request) {
+  return request.scrolls ? kLeastSmall * request.display_scale : 0.0;
+}
+
 bool stands_side_by_side(Size size) { return size.width > 1.05 * size.height; }
 
 Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts) {
@@ -588,6 +601,7 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   page.overflow = text.overflow;
   page.column = grid.text;
   page.meters = grid.meters;
+  page.least_figure = kLeastBeside * grid.em / request.text_scale;
   const PixelRect& place = grid.figure;
   page.figure = {static_cast<double>(place.x), static_cast<double>(place.y),
                  static_cast<double>(place.x + place.width), static_cast<double>(place.y + place.height)};

@@ -71,7 +71,12 @@ struct FiguredStep {
 struct PageRequest {
   const Lesson& lesson;
   const Stage& stage;
-  int number = 1;                     ///< of the stage, from 1
+  int number = 1;  ///< of the stage, from 1
+  /// Which of how many stages it is said to be. Absent: as in the lesson.
+  struct Count {
+    std::size_t number, count;
+  };
+  std::optional<Count> counted_as{};
   int step = 1;                       ///< from 1
   const SceneModel* model = nullptr;  ///< null: text alone
   double t_s = 0;
@@ -95,11 +100,12 @@ struct PageRequest {
   bool is_frame = false;  ///< of a film, which has no captions of the still alone
   /// In a window, which can be scrolled: the text of a stage stands still. All steps up to the present one
   /// are there whole, at the size that the reader wants, each below the one before; what is higher than the
-  /// page is above it (FittedText::hidden). No type is so small that it cannot be read on a screen. The
-  /// caption of the lesson keeps its room below a scene that has none any more.
+  /// page is above it (FittedText::hidden). No type is so small that it cannot be read on a screen
+  /// (least_type_px). The caption of the lesson keeps its room below a scene that has none any more.
   bool scrolls = false;
-  /// px at the right edge over which a panel lies: the figure and its plots keep clear of it, and the text
-  /// stays as it is.
+  double display_scale = 1;  ///< of a page that scrolls: px of the display for one of 96 to the inch
+  /// px at the right edge over which a panel lies: the figure and its plots keep clear of it, unless less
+  /// than Page::least_figure is left for them: then they lie under it. The text stays as it is.
   double covered = 0;
   /// Keeps from page to page what the live numbers of earlier steps are; null: computed for this page.
   StillNumbers* still_numbers = nullptr;
@@ -147,6 +153,7 @@ struct Page {
   PixelBox column, meters;
   std::vector<PlotReading> plots{};  ///< of a page that scrolls: those that a hand can read
   PixelBox figure;                   ///< of the space figure, and of diagrams with it; empty: none
+  double least_figure = 0;           ///< px in width: less of it beside a panel shows nothing
 };
 
 /// Type may be so much smaller than normal before earlier steps are left out.
@@ -163,6 +170,9 @@ Result<SlideType> slide_type_of(const PageRequest& request, const Fonts& fonts);
 /// The largest type in which the request's step fits a slide, in the widest column, beside the normal size:
 /// no slide of its stage has larger type. Errors as of text_of_page.
 Result<double> slide_scale_of(const PageRequest& request, const Fonts& fonts);
+
+/// No type of a page that scrolls is smaller, indices apart; 0: there is no such limit.
+double least_type_px(const PageRequest& request);
 
 /// Whether a page of this size has its text beside the figure; else below it.
 bool stands_side_by_side(Size size);

@@ -77,7 +77,7 @@ FigureHand::On FigureHand::under(const LessonSession& session, const std::vector
 FigureHand::On FigureHand::take(LessonSession& session, const std::vector<Inset>& insets, const Vec2& at,
                                 double reach) {
   held_ = On::nothing;
-  has_scaled_ = false;
+  has_scaled_ = is_short_ = false;
   if (session.model() == nullptr) return held_;
   const auto inset = inset_at(insets, at);
   if (!inset) return held_;
@@ -110,6 +110,8 @@ std::string FigureHand::drag(LessonSession& session, const std::vector<Inset>& i
   auto grabbed = scales && tip
                      ? scaled_omega(*session.model(), t_s, inset, pane_, pulled(*tip, Vec2(dx, dy)), keeps_L)
                      : omega_at(*session.model(), t_s, inset, pane_, to.x(), to.y(), keeps_L);
+  constexpr double kShort = 10;  // px: what one sees and does not take for the hand's own
+  is_short_ = !scales && (!grabbed || grabbed->off_px > kShort);
   if (!grabbed) return {};
   const bool keeps_t =
       t_s != 0 && !asks_for_state(session) && begin_before(*session.model(), t_s, inset, pane_, *grabbed);

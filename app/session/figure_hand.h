@@ -31,12 +31,15 @@ class FigureHand {
   std::string drag(LessonSession& session, const std::vector<Inset>& insets, const Vec2& at, double dx,
                    double dy, bool scales = false);
   void let_go() { held_ = On::nothing; }
+  /// Whether the tip stays well behind the pointer that holds it: no ω of its energy ends nearer to it.
+  bool is_short() const { return held_ == On::omega && is_short_; }
 
  private:
   On held_ = On::nothing;
   std::size_t inset_ = 0, pane_ = 0;  ///< where it was taken
   Vec2 off_{0, 0};                    ///< px from the pointer to the tip that it holds
   bool has_scaled_ = false;           ///< since then the pointer is elsewhere
+  bool is_short_ = false;
 };
 
 }  // namespace polhode

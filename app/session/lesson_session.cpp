@@ -2,6 +2,7 @@
 #include "app/session/lesson_session.h"
 
 #include "app/session/answers/answer_keys.h"
+#include "base/words/page_words.h"
 #include "lessons/derivation/answer_reasons.h"
 #include "lessons/reader/questions/line_notation.h"
 #include "lessons/reader/questions/state_task.h"
@@ -151,14 +152,17 @@ void LessonSession::arrive(StepPlace place) {
   if (turned && !comes_back) set_camera(*turned);
 }
 
-/// Before the present scene is left. A counterexample is no change.
+/// Before the present scene is left, and with it what stands in its place: a counterexample is not kept.
 void LessonSession::keep_edits() {
   if (!has_scene()) return;
+  forget_counterexamples();
   const SceneEdits& made = aside_ ? aside_->before : edits_;
-  if (made.empty() && undo_.empty() && redo_.empty())
+  std::vector<Change> undo = undo_;
+  if (aside_) undo.resize(aside_->changes);
+  if (made.empty() && undo.empty() && redo_.empty())
     kept_.erase(step().scene.get());
   else
-    kept_[step().scene.get()] = {made, undo_, redo_};
+    kept_[step().scene.get()] = {made, std::move(undo), redo_};
 }
 
 void LessonSession::set_visited(const std::set<std::string>& stages) {
@@ -350,19 +354,20 @@ Status LessonSession::set_edits(const SceneEdits& edits) {
   if (wanted.attitude) wanted.attitude = writable(*wanted.attitude);
   const SceneEdits before = edits_;
   const double before_s = t_s_;
+  bool another = false;
   try {
     if (same_model(scene_with(wanted), scene_with(edits_))) {
       edits_ = wanted;
     } else {
-      const bool another = starts_another_motion(wanted, edits_);
+      another = starts_another_motion(wanted, edits_);
       make_model_of(wanted);
-      if (aside_ && another) aside_->is_changed = true;
       go_on_from(another ? 0 : t_s_);
     }
   } catch (const std::domain_error& error) {
     return failure(error.what());
   }
   note_change(before, before_s);
+  if (aside_ && another) aside_->is_changed = true;
   heading_rad_ = heading_at(t_s_);
   patch_model();
   return success();
@@ -372,22 +377,24 @@ void LessonSession::note_change(const SceneEdits& before, double before_s) {
   constexpr std::size_t kMostKept = 100;
   SceneEdits of_look_before = before;  // a camera is turned back by hand
   of_look_before.camera = edits_.camera;
-  if (before.is_counterexample || edits_.is_counterexample) return;
   if (of_look_before == edits_) return;
   if (std::exchange(change_is_new_, false)) {
     redo_.clear();
-    undo_.push_back({before, before_s, {}});
-    if (undo_.size() > kMostKept) undo_.erase(undo_.begin());
+    undo_.push_back({before, before_s, {}, aside_});
+    if (undo_.size() > kMostKept) {
+      undo_.erase(undo_.begin());
+      if (aside_ && aside_->changes > 0) --aside_->changes;
+    }
   }
   if (!undo_.empty()) undo_.back().camera = edits_.camera;
 }
 
 /// To what was before the last of `from`; what is shown now is what the last of `to` leads back to.
 bool LessonSession::go_back(std::vector<Change>& from, std::vector<Change>& to) {
-  if (from.empty() || aside_) return false;
+  if (from.empty()) return false;
   Change change = std::move(from.back());
   from.pop_back();
-  Change back{edits_, t_s_, {}};
+  Change back{edits_, t_s_, {}, aside_};
   if (edits_.camera != change.camera) change.before.camera = edits_.camera;
   const bool another = starts_another_motion(change.before, edits_);
   std::vector<Change> undo = std::move(undo_), redo = std::move(redo_);  // this is no change by hand
@@ -397,6 +404,7 @@ bool LessonSession::go_back(std::vector<Change>& from, std::vector<Change>& to) 
   redo_ = std::move(redo);
   change_is_new_ = true;
   if (!is_made) return false;
+  aside_ = std::move(change.aside);
   back.camera = edits_.camera;
   to.push_back(std::move(back));
   return true;
@@ -432,6 +440,7 @@ void LessonSession::reset_edits() {
   const bool another = starts_another_motion(edits_, SceneEdits{});
   const SceneEdits before = aside_ ? aside_->before : edits_;
   following_ = false;
+  if (aside_) undo_.resize(aside_->changes);
   aside_.reset();
   make_model_of({});
   change_is_new_ = true;
@@ -571,10 +580,26 @@ void LessonSession::undo_derived_line(const Ask& ask) {
 
 namespace {
 
-ShownDerivedLine shown_line(const LineJudgement& judgement) {
+const Phrase& words_of(LineJudgement::Mark mark) {
+  switch (mark) {
+    case LineJudgement::Mark::holds:
+      return words::kLineHolds;
+    case LineJudgement::Mark::goal:
+      return words::kLineIsGoal;
+    case LineJudgement::Mark::away:
+      return words::kLineLeadsAway;
+    case LineJudgement::Mark::wrong:
+      return words::kLineIsWrong;
+    case LineJudgement::Mark::unreadable:
+      break;
+  }
+  return words::kLineIsUnreadable;
+}
+
+ShownDerivedLine shown_line(const LineJudgement& judgement, Language language) {
   using Mark = LineJudgement::Mark;
   const bool leads_on = judgement.mark == Mark::holds || judgement.mark == Mark::goal;
-  return {judgement.tex, std::string(name_of(judgement.mark)),
+  return {judgement.tex, std::string(words_of(judgement.mark).in(language)),
           leads_on                        ? Certainty::proved
           : judgement.mark == Mark::wrong ? Certainty::refuted
                                           : Certainty::open};
@@ -588,9 +613,9 @@ ShownDerivation LessonSession::shown_derivation() const {
     const DerivationWork& work = found_derivation(*ask);
     ShownDerivation shown{ask, {}};
     for (const DerivationWork::TypedLine& line : work.lines())
-      shown.lines.push_back(shown_line(line.judgement));
+      shown.lines.push_back(shown_line(line.judgement, lesson().about.language));
     if (work.is_too_short()) {  // it is true, and not yet shown
-      shown.lines.back().word = "the goal itself: show the way";
+      shown.lines.back().word = words::kGoalWithoutWay.in(lesson().about.language);
       shown.lines.back().certainty = Certainty::open;
     }
     const std::string typing = work.typed_tex();

@@ -161,9 +161,10 @@ class LessonSession {
   /// Whether a figure can show what makes it one: a body, its ω and torque, and nothing besides.
   bool can_show(const Counterexample& counter) const;
   /// The body of a counterexample in place of the lesson's, as it turns and with its torque, without the
-  /// lesson's caption; the body, its axes and ω are seen even if the lesson shows others. Leaving it gives
-  /// back what was shown before, with the camera of now. What goes to another scene, or back to the lesson's,
-  /// leaves it too, and so does another answer on this step. Refused where it cannot be shown.
+  /// lesson's caption; the body, its axes and ω are seen even if the lesson shows others. That is a change
+  /// like others, to be undone and made again. Leaving it gives back what was shown before, with the camera
+  /// of now. What goes to another scene, or back to the lesson's, leaves it too, and so does another answer
+  /// on this step: then it is not made again. Refused where it cannot be shown.
   Status show_counterexample(const Counterexample& counter);
   void leave_counterexample();
   /// What is shown; null: none, or its body was changed since.
@@ -243,6 +244,14 @@ class LessonSession {
   /// Those that are for this class, in order: all of them, if none would be left.
   std::vector<std::size_t> chosen_stages() const;
   bool passes_over(std::size_t stage) const;
+  /// Those that are counted now: before an audience the ones for this class, else all.
+  std::vector<std::size_t> counted_stages() const;
+  /// The place of a stage among them, from 1, and how many they are; nothing: it is not one of them.
+  struct StageNumber {
+    std::size_t number = 1, count = 1;
+    bool operator==(const StageNumber&) const = default;
+  };
+  std::optional<StageNumber> stage_number(std::size_t stage) const;
 
   /// How far the page is on its way from the step before to this one, 0…1; 1: it is there. Only a step
   /// forward within a stage has a way.
@@ -255,6 +264,7 @@ class LessonSession {
  private:
   void arrive(StepPlace place);
   void leave_answered();
+  void forget_counterexamples();
   DerivationWork& found_derivation(const Ask& ask) const;
   void show_lesson_scene();
   Scene scene_with(const SceneEdits& edits) const;
@@ -290,6 +300,7 @@ class LessonSession {
     Counterexample shown;
     SceneEdits before;
     double t_s = 0;
+    std::size_t changes = 0;  ///< so many of undo_ were made before
     bool is_changed = false;
   };
   std::optional<Aside> aside_;  ///< from the lesson's scene, to a counterexample
@@ -297,6 +308,7 @@ class LessonSession {
     SceneEdits before;
     double before_s = 0;               ///< the time then
     std::optional<CameraSpec> camera;  ///< as it left it
+    std::optional<Aside> aside;        ///< that was shown then
   };
   std::vector<Change> undo_;  ///< each change of this scene
   bool change_is_new_ = true;

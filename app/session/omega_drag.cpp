@@ -54,8 +54,11 @@ class OmegaSearch {
     Found near = descended(start);
     if (near.off_px > kThere) near = better(near, start);
     if (!std::isfinite(near.off_px)) return std::nullopt;
+    off_px_ = near.off_px;
     return omega(near.n);
   }
+  /// Of the tip of what was found from the place.
+  double off_px() const { return off_px_; }
 
  private:
   static constexpr double kThere = 0.2;  // px: nobody sees less
@@ -155,6 +158,7 @@ class OmegaSearch {
   PixelRect rect_;
   Vec2 wanted_;
   Vec3 semi_axes_;
+  double off_px_ = 0;
 };
 
 /// By how much a body that begins with this ω is turned about the vertical, on which the scene holds L,
@@ -257,6 +261,32 @@ std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const s
   return tips;
 }
 
+std::vector<TipOnScreen> untaken_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets) {
+  std::vector<TipOnScreen> tips;
+  if (insets.empty() || !shows_space(model.drawn, model.needs.marks)) return tips;
+  const PixelRect& place = insets.front().place;
+  const std::vector<Pane>& panes = insets.front().figure.panes;
+  if (panes.size() != model.scene.views.size()) return tips;
+  for (std::size_t k = 0; k < panes.size(); ++k)
+    for (const DrawnOmega& drawn : drawn_otherwise(model, t_s, k, aspect_of(place)))
+      if (const auto at = on_page(drawn, rect_of(panes[k], place)))
+        tips.push_back({0, k, model.scene.views[k], at->x(), at->y(), at->x(), at->y()});
+  return tips;
+}
+
+std::vector<ArrowOnScreen> arrows_on_page(const Inset& inset) {
+  std::vector<ArrowOnScreen> arrows;
+  for (const Pane& pane : inset.figure.panes) {
+    const PixelRect rect = rect_of(pane, inset.place);
+    for (const Arrow& arrow : pane.list.arrows) {
+      const auto tail = on_page({arrow.tail, pane.camera}, rect),
+                 tip = on_page({arrow.tip, pane.camera}, rect);
+      if (tail && tip) arrows.push_back({*tail, *tip});
+    }
+  }
+  return arrows;
+}
+
 std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const Inset& inset,
                                      std::size_t pane, double x, double y, bool keeps_L) {
   if (!std::isfinite(x) || !std::isfinite(y)) return std::nullopt;
@@ -274,6 +304,7 @@ std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const 
   const auto w0_B = search.from(start);
   if (!w0_B) return std::nullopt;
   held->w0_B = *w0_B;
+  held->off_px = search.off_px();
   return held;
 }
 

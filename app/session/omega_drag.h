@@ -22,6 +22,17 @@ struct TipOnScreen {
 /// beside it is not taken hold of.
 std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets);
 
+/// Likewise of arrows of the lesson's that are ω with a tail, a length or a scale of their own: no hand takes
+/// it by them. They have no arrow of their own here.
+std::vector<TipOnScreen> untaken_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets);
+
+/// An arrow as it stands on the page, px.
+struct ArrowOnScreen {
+  Vec2 tail, tip;
+};
+/// All of a figure.
+std::vector<ArrowOnScreen> arrows_on_page(const Inset& inset);
+
 /// The ω, in body axes, whose tip is drawn at the point (px of the page) and the offset, or as near as any
 /// can be. It has the present energy; under torque that of the moment. "Drawn" means in the same pane, in the
 /// scene that starts with this ω, with `camera`, and with `attitude` at t = 0. In space the body keeps the
@@ -36,6 +47,7 @@ struct GrabbedOmega {
   CameraSpec camera;
   Vec2 offset{0, 0};  ///< px by which the tip is drawn elsewhere as the motion begins anew; it is at the
                       ///< point and this, so that ω goes on from what it is
+  double off_px = 0;  ///< of the tip from there: as near as any of this energy comes
 };
 /// @param keeps_L the scene has to hold L down or up, if it does; it has anyway beside the invariable plane,
 ///   which is seen only where L points down

@@ -2,6 +2,8 @@
 // Before an audience: what it sees, and which stages are for it.
 #include "app/session/lesson_session.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace polhode {
@@ -47,6 +49,20 @@ std::vector<std::size_t> LessonSession::chosen_stages() const {
 bool LessonSession::passes_over(std::size_t stage) const {
   const std::vector<Stage>& stages = lesson().stages;
   return presenting_ && left_out_.size() < stages.size() && left_out_.contains(stages[stage].id);
+}
+
+std::vector<std::size_t> LessonSession::counted_stages() const {
+  if (presenting_) return chosen_stages();
+  std::vector<std::size_t> all(lesson().stages.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+std::optional<LessonSession::StageNumber> LessonSession::stage_number(std::size_t stage) const {
+  const std::vector<std::size_t> counted = counted_stages();
+  const auto found = std::find(counted.begin(), counted.end(), stage);
+  if (found == counted.end()) return std::nullopt;
+  return StageNumber{static_cast<std::size_t>(found - counted.begin()) + 1, counted.size()};
 }
 
 std::optional<std::size_t> LessonSession::stage_beside(int way) const {

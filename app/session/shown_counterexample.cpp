@@ -2,6 +2,7 @@
 // A counterexample as the scene of a session: its body takes the place of the lesson's, until it is left.
 #include "app/session/lesson_session.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -44,6 +45,7 @@ Status LessonSession::show_counterexample(const Counterexample& counter) {
   if (!body) return failure(body.error());
   const SceneEdits before = aside_ ? aside_->before : edits_;
   const double t_s = aside_ ? aside_->t_s : t_s_;
+  const std::size_t changes = aside_ ? aside_->changes : undo_.size();
   SceneEdits edits = before;
   edits.numbers.clear();
   edits.body = *body;
@@ -57,14 +59,29 @@ Status LessonSession::show_counterexample(const Counterexample& counter) {
   if (is_turned) edits.attitude = Quat(w, x, y, z).normalized();
   show_what_is_said(edits, lesson_scene());
   edits.is_counterexample = true;
+  begin_change();
   if (const Status made = set_edits(edits); !made) return made;
-  aside_ = Aside{counter, before, t_s};
+  begin_change();
+  aside_ = Aside{counter, before, t_s, std::min(changes, undo_.size() - 1)};
   return success();
 }
 
-/// Another answer may be right, or fail for another body. What was changed by hand meanwhile stays.
+/// Another answer may be right, or fail for another body. What was changed by hand meanwhile stays, as one
+/// change.
 void LessonSession::leave_answered() {
   if (counterexample() != nullptr) leave_counterexample();
+  forget_counterexamples();
+  if (!aside_) return;
+  undo_.resize(aside_->changes);
+  undo_.push_back({aside_->before, aside_->t_s, edits_.camera, {}});
+  begin_change();
+}
+
+/// What is said of one is said of the last answer: it is not made again after another.
+void LessonSession::forget_counterexamples() {
+  const bool has_any = std::any_of(redo_.begin(), redo_.end(),
+                                   [](const Change& change) { return change.before.is_counterexample; });
+  if (has_any) redo_.clear();
 }
 
 void LessonSession::leave_counterexample() {
@@ -73,6 +90,9 @@ void LessonSession::leave_counterexample() {
   SceneEdits edits = aside.before;
   edits.camera = edits_.camera;
   if (!set_edits(edits)) reset_edits();
+  undo_.resize(std::min(aside.changes, undo_.size()));
+  redo_.clear();
+  begin_change();
   scrub_to(aside.t_s);
 }
 

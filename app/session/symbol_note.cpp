@@ -2,6 +2,7 @@
 #include "app/session/symbol_note.h"
 
 #include "app/narration/speech_text.h"
+#include "base/words/page_words.h"
 #include "lessons/claims/live_claims.h"
 #include "render/scene/model/translation.h"
 #include "render/typeset/math/tree.h"
@@ -116,10 +117,12 @@ Math term_seen_last(const Lesson& lesson, const std::string& name, const std::st
 /// "Go to: Which spins are stable?", or what is cited.
 std::string words_of_link(const Lesson& lesson, const std::string& link) {
   if (const auto place = target_of(lesson, link))
-    return "Go to: " + SpeechText(lesson).words(lesson.stages[place->stage].title_text);
+    return words::kGoTo.with(lesson.about.language,
+                             {SpeechText(lesson).words(lesson.stages[place->stage].title_text)});
   for (const Reference& reference : lesson.references)
     if (link == std::string(kCiteLink) + reference.key) return reference.text;
-  return link.find("://") == link.npos ? "In another lesson: " + link : "Click to copy: " + link;
+  const Phrase& phrase = link.find("://") == link.npos ? words::kInAnotherLesson : words::kClickToCopy;
+  return phrase.with(lesson.about.language, {link});
 }
 
 }  // namespace
@@ -144,6 +147,7 @@ SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneMod
   note.meaning = found->second.note.empty() ? found->second.say : found->second.note;
   note.unit = found->second.unit;
   if (model) add_value(lesson, name, *model, t_s, note);
+  note.value = with_decimals(std::move(note.value), lesson.about.language);
   return note;
 }
 

@@ -13,8 +13,10 @@ struct SymbolNote {
   /// "angular velocity"; of a term its formula in words; of a link where it leads, of a citation what is
   /// cited; empty: nothing is known of it
   std::string meaning;
-  std::string unit;   ///< "rad/s"; may be empty
-  std::string value;  ///< "(0.31, −0.20, 1.13)", "2.94", "3.10·10⁻⁶"; empty where the scene has none
+  std::string unit;  ///< "rad/s"; may be empty
+  /// "(0.31, −0.20, 1.13)", "2.94", "3.10·10⁻⁶", with the lesson's decimal mark; empty where the scene has
+  /// none
+  std::string value;
   std::string frame;  ///< of the value's components: "space" or "body"; empty for scalars
 };
 

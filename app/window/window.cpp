@@ -27,11 +27,6 @@ constexpr double kLeastFrame_s = 1.0 / 60, kClock_s = 1e-3;
 /// So long at most nothing is looked at: signals, changes of the lesson.
 constexpr double kLongestWait_s = 0.5, kWatchEvery_s = 0.25;
 
-std::string title_of(const LessonSession& session, const std::string& stage) {
-  return fmt::format("{} — {}, step {} of {} — polhode", stage, stage_count(session),
-                     session.place().step + 1, session.stage().steps.size());
-}
-
 /// The loop of events and frames.
 class Loop {
  public:
@@ -238,7 +233,7 @@ class Loop {
   /// A frozen page keeps its own.
   void update_title() {
     if (session_.is_frozen()) return;
-    const std::string title = title_of(session_, screen().stage_title());
+    const std::string title = window_title(session_, screen().stage_title());
     if (title == title_) return;
     title_ = title;
     glfwSetWindowTitle(display_.window(), title.c_str());

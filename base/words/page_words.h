@@ -25,9 +25,42 @@ inline constexpr Phrase kAtLeast{"at least {0}", "mindestens {0}"};
 inline constexpr Phrase kAtMost{"at most {0}", "höchstens {0}"};
 inline constexpr Phrase kBetween{"between {0} and {1}", "zwischen {0} und {1}"};
 
-// Beside a choice that was picked, in the window.
+// Beside a choice that was picked, in the window, and what is said of it.
 inline constexpr Phrase kMarkedRight{"right", "richtig"};
 inline constexpr Phrase kMarkedNotRight{"not right", "nicht richtig"};
+inline constexpr Phrase kCannotBeRead{"Cannot be read.", "Nicht lesbar."};
+inline constexpr Phrase kChoiceIsNotRight{"{0} is not right.", "{0} ist nicht richtig."};
+
+// Behind the lines of a learner's derivation.
+inline constexpr Phrase kLineHolds{"holds", "gilt"};
+inline constexpr Phrase kLineIsGoal{"goal", "Ziel"};
+inline constexpr Phrase kLineLeadsAway{"leads away", "führt weg"};
+inline constexpr Phrase kLineIsWrong{"wrong", "falsch"};
+inline constexpr Phrase kLineIsUnreadable{"unreadable", "unlesbar"};
+inline constexpr Phrase kGoalWithoutWay{"the goal itself: show the way", "das Ziel selbst: der Weg fehlt"};
+
+// What a window says of what is pointed at, or held, and of where one is.
+inline constexpr Phrase kComponentsInSpace{"components in the space frame", "Komponenten im Raumsystem"};
+inline constexpr Phrase kComponentsInBody{"components in the body frame", "Komponenten im Körpersystem"};
+inline constexpr Phrase kGoTo{"Go to: {0}", "Gehe zu: {0}"};
+inline constexpr Phrase kInAnotherLesson{"In another lesson: {0}", "In einer anderen Lektion: {0}"};
+inline constexpr Phrase kClickToCopy{"Click to copy: {0}", "Ein Klick kopiert: {0}"};
+inline constexpr Phrase kDrag{"drag", "ziehen"};
+inline constexpr Phrase kDragOmega{"drag: another ω with the same T; Shift: its length",
+                                   "ziehen: ein anderes ω mit demselben T; Umschalt: seine Länge"};
+inline constexpr Phrase kOmegaAtConstT{"ω = {0} rad/s, T kept", "ω = {0} rad/s, T bleibt"};
+inline constexpr Phrase kOmegaNoNearer{
+    "ω = {0} rad/s, T kept: none of this T ends nearer to the pointer; Shift changes T",
+    "ω = {0} rad/s, T bleibt: keines mit diesem T endet näher am Zeiger; Umschalt ändert T"};
+inline constexpr Phrase kOmegaAtOtherT{"ω = {0} rad/s, T = {1} J, not kept",
+                                       "ω = {0} rad/s, T = {1} J, bleibt nicht"};
+inline constexpr Phrase kNotThisOmega{
+    "this arrow has a length or a tail of its own, and is not dragged: B changes ω",
+    "dieser Pfeil hat eigene Länge oder eigenen Anfang und lässt sich nicht ziehen: B ändert ω"};
+inline constexpr Phrase kStageNotChosen{"stage {0} (not one of the {1} chosen)",
+                                        "Abschnitt {0} (nicht unter den {1} ausgewählten)"};
+inline constexpr Phrase kNoneOfChosenSteps{"Not one of the {0} chosen steps",
+                                           "Keiner der {0} ausgewählten Schritte"};
 
 // Numbers that are asked for.
 inline constexpr Phrase kAnswerWithANumber{"Answer with a number, to within {0}.",

@@ -289,13 +289,15 @@ Figure make_figure(const SceneModel& model, double t_s, double aspect, double le
   return figure;
 }
 
-bool draws_omega(const SceneModel& model) {
-  const auto is_omega = [](const ArrowMark& arrow) {
-    return arrow.of.overlay == Overlay::omega && !arrow.at && !arrow.length && !arrow.like;
-  };
+bool draws_by_arrow(const SceneModel& model, Overlay vector) {
   const std::vector<ArrowMark>& arrows = model.scene.marks.arrows;
-  return model.drawn.contains(Overlay::omega) ||
-         (model.needs.marks && std::any_of(arrows.begin(), arrows.end(), is_omega));
+  return model.needs.marks && std::any_of(arrows.begin(), arrows.end(), [vector](const ArrowMark& arrow) {
+           return is_as_overlay(arrow, vector);
+         });
+}
+
+bool draws_omega(const SceneModel& model) {
+  return model.drawn.contains(Overlay::omega) || draws_by_arrow(model, Overlay::omega);
 }
 
 std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect) {
@@ -305,6 +307,22 @@ std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::
   if (m.state.w_B.isZero(0.0)) return std::nullopt;
   return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect / static_cast<double>(views.size()),
                                                 common_half_height(model, aspect))};
+}
+
+std::vector<DrawnOmega> drawn_otherwise(const SceneModel& model, double t_s, std::size_t pane,
+                                        double aspect) {
+  std::vector<DrawnOmega> tips;
+  const std::vector<View>& views = model.scene.views;
+  const std::vector<ArrowMark>& arrows = model.scene.marks.arrows;
+  if (!model.needs.marks || pane >= views.size()) return tips;
+  const builders::Snapshot m = builders::snapshot_at(model, t_s, views[pane]);
+  for (std::size_t i = 0; i < arrows.size(); ++i) {
+    if (arrows[i].of.overlay != Overlay::omega || is_as_overlay(arrows[i], Overlay::omega)) continue;
+    if (const auto tip_V = builders::tip_of_arrow_V(m, i))
+      tips.push_back({*tip_V, camera_for(m, aspect / static_cast<double>(views.size()),
+                                         common_half_height(model, aspect))});
+  }
+  return tips;
 }
 
 CameraSpec held_by_hand(const Scene& scene) {

@@ -7,6 +7,7 @@
 #include "render/scene/model/model.h"
 
 #include <optional>
+#include <vector>
 
 namespace polhode {
 
@@ -16,6 +17,12 @@ struct DrawnOmega {
   Camera camera;
 };
 
+/// Whether an arrow of the lesson's is this vector from the centre, at the scale that its overlay has.
+inline bool is_as_overlay(const ArrowMark& arrow, Overlay vector) {
+  return arrow.of.overlay == vector && !arrow.at && !arrow.length && !arrow.like;
+}
+/// Whether an arrow of the lesson's is this vector as its overlay draws it.
+bool draws_by_arrow(const SceneModel& model, Overlay vector);
 /// Whether ω is drawn from the centre at the scale of a figure: by its overlay, or by an arrow of the
 /// lesson's that is ω as it is.
 bool draws_omega(const SceneModel& model);
@@ -23,6 +30,10 @@ bool draws_omega(const SceneModel& model);
 /// In a pane (one for each view) of the figure of this width / height; as make_figure draws it. Nothing where
 /// no ω is drawn.
 std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect);
+
+/// Likewise the tips of arrows of the lesson's that are ω with a tail, a length or a scale of their own: no
+/// hand takes ω by them.
+std::vector<DrawnOmega> drawn_otherwise(const SceneModel& model, double t_s, std::size_t pane, double aspect);
 
 /// The camera of a scene whose ω a hand takes: the frame stays, so that nothing but ω goes with the hand. It
 /// is that of the motion that begins with the ω that it has been kept for, or the scene's.

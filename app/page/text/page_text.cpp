@@ -69,7 +69,7 @@ struct Selection {
 /// would not be read from the back row.
 double least_small_type(const PageRequest& request, double em) {
   if (request.profile == Profile::slides) return kSmallestOfSlides * em;
-  return request.scrolls ? kLeastSmall : 0.0;
+  return least_type_px(request);
 }
 
 /// What the text of a page is made of at every size of type.
@@ -331,11 +331,12 @@ class ScaledText {
     // It keeps its size where other type is set smaller, but not the size of a reader's larger type.
     const double em = em_ * std::max(scale_, 1.0 / std::max(1.0, request_.text_scale));
     TextStyle quiet;
-    quiet.size = std::max(kHeaderSize * em, request_.scrolls ? kLeastSmall : 0.0);
+    quiet.size = std::max(kHeaderSize * em, least_type_px(request_));
     quiet.color = colors_of(request_.theme).quiet;
     quiet.sans = true;
-    const std::string number = std::to_string(request_.number),
-                      count = std::to_string(request_.lesson.stages.size());
+    const PageRequest::Count stage = request_.counted_as.value_or(
+        PageRequest::Count{static_cast<std::size_t>(request_.number), request_.lesson.stages.size()});
+    const std::string number = std::to_string(stage.number), count = std::to_string(stage.count);
     std::string place = words::kStageOf.with(language(), {number, count});
     if (!is_slide() && request_.stage.steps.size() > 1)
       place += "  ·  " + words::kCountOf.with(

@@ -23,7 +23,7 @@ struct EarlierLabel {
   std::string in_short;  ///< word and note, where both do not fit into the column
 };
 
-/// px: no type of a window's page is smaller, indices apart.
+/// No type of a window's page is smaller, indices apart: px of which 96 are an inch.
 inline constexpr double kLeastSmall = 12;
 
 class TextColumn {

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace polhode {
@@ -23,6 +24,25 @@ namespace {
 const Equation* last_equation(const Step& step) {
   const auto equations = blocks_of<Equation>(step);
   return equations.empty() ? nullptr : equations.back();
+}
+
+/// Where the step asks for one, as far as the reader has come, line by line.
+std::optional<Equation> derivation_of(const LessonSession& session) {
+  const Lesson& lesson = session.lesson();
+  const std::vector<const Ask*> asked = session.questions();
+  const auto derives =
+      std::find_if(asked.begin(), asked.end(), [](const Ask* ask) { return ask->derivation != nullptr; });
+  if (derives == asked.end()) return std::nullopt;
+  std::string lines = "&" + (*derives)->derivation->start.tex;
+  for (const ShownDerivedLine& line : session.shown_derivation().lines)
+    if (line.certainty == Certainty::proved) lines += "\\\\ &" + line.tex;
+  Equation derivation;
+  derivation.id = (*derives)->id;
+  derivation.tex = "\\begin{aligned} " + lines + " \\end{aligned}";
+  auto math = parse_math(derivation.tex, lesson.macros, lesson.about.language);
+  if (!math) return std::nullopt;
+  derivation.math = std::move(math).value();
+  return derivation;
 }
 
 What what_of(SaveAs what) {
@@ -81,6 +101,9 @@ Outcome<fs::path> save_picture(const LessonSession& session, SaveAs what, const 
                                const fs::path& folder, Renderer& renderer) {
   const ExportOptions options = export_options_of(session, what, chosen);
   const Equation* equation = what == SaveAs::equation ? last_equation(session.step()) : nullptr;
+  std::optional<Equation> derivation;
+  if (what == SaveAs::equation && equation == nullptr) derivation = derivation_of(session);
+  if (derivation) equation = &*derivation;
   const PlannedPicture picture{.stage = &session.stage(),
                                .number = static_cast<int>(session.place().stage) + 1,
                                .step = static_cast<int>(session.place().step) + 1,
@@ -109,7 +132,7 @@ Outcome<fs::path> save_picture(const LessonSession& session, SaveAs what, const 
 
 bool can_save_as(const LessonSession& session, SaveAs what) {
   if (what == SaveAs::page) return true;
-  if (what == SaveAs::equation) return last_equation(session.step()) != nullptr;
+  if (what == SaveAs::equation) return last_equation(session.step()) != nullptr || derivation_of(session);
   if (what == SaveAs::answers) return !questions_of(session.lesson()).empty();
   return session.model() != nullptr;
 }

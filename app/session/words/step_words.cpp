@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/words/step_words.h"
 
-#include <fmt/format.h>
+#include "base/words/page_words.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 namespace polhode {
 
 std::string stage_count(const LessonSession& session) {
-  const std::size_t here = session.place().stage, all = session.lesson().stages.size();
-  const std::vector<std::size_t> chosen = session.chosen_stages();
-  if (!session.is_presenting() || chosen.size() == all) return fmt::format("stage {} of {}", here + 1, all);
-  const auto found = std::find(chosen.begin(), chosen.end(), here);
-  if (found == chosen.end())
-    return fmt::format("stage {} (not one of the {} chosen)", here + 1, chosen.size());
-  return fmt::format("stage {} ({} of {} chosen)", here + 1, found - chosen.begin() + 1, chosen.size());
+  const Language language = session.lesson().about.language;
+  const std::size_t here = session.place().stage;
+  if (const auto stage = session.stage_number(here))
+    return words::kStageOf.with(language, {std::to_string(stage->number), std::to_string(stage->count)});
+  const std::string count = std::to_string(session.counted_stages().size());
+  return words::kStageNotChosen.with(language, {std::to_string(here + 1), count});
+}
+
+std::string step_count(const LessonSession& session) {
+  return words::kStepOf.with(session.lesson().about.language, {std::to_string(session.place().step + 1),
+                                                               std::to_string(session.stage().steps.size())});
+}
+
+std::string window_title(const LessonSession& session, const std::string& stage) {
+  if (session.panel == Panel::lessons) return "Lessons — polhode";
+  return fmt::format("{} — {}, {} — polhode", stage, stage_count(session), step_count(session));
 }
 
 std::string tex_of_step(const LessonSession& session) {

@@ -91,6 +91,7 @@ Result<DisplayList> LessonTexts::set(const RichText& text, TextInk ink, int widt
   style.sans = true;
   style.leading = 1.4;
   style.between = 0.3;
+  style.clearance = 0.3;  // a fraction is as high as two lines
   style.width = width;
   // Symbols without a colour of their own are as quiet as the rest.
   std::vector<MathSymbol> symbols = symbols_;

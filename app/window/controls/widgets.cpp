@@ -88,6 +88,8 @@ std::string told(Command command) {
   return {};
 }
 
+void hold_back_tooltips() { ImGui::GetCurrentContext()->HoveredIdTimer = 0; }
+
 void tooltip_of_last(const std::string& text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   if (ImGui::GetCurrentContext()->HoveredIdTimer < kTooltipDelay_s) return;

@@ -37,6 +37,8 @@ bool choice_row(const char* words, bool is_on, int flags = 0);
 /// One of several. Its circle is ours: that of Dear ImGui has other corners in every version.
 bool radio_button(const char* words, bool is_on);
 
+/// Behind ImGui::NewFrame(): what the pointer is on has no tooltip in this frame.
+void hold_back_tooltips();
 /// So long a pointer is on an item before its tooltip comes.
 inline constexpr float kTooltipDelay_s = 0.5F;
 /// Shown when the pointer rests on the last item.

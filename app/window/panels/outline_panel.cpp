@@ -29,7 +29,7 @@ void add_mark(ImVec2 at, float em, bool is_here, bool is_visited) {
 }
 
 /// The title, on as many lines as it takes, to be clicked.
-bool stage_row(const std::string& title, std::size_t number, bool is_here, bool is_visited) {
+bool stage_row(const std::string& title, const std::string& number, bool is_here, bool is_visited) {
   const float em = ImGui::GetFontSize(), left = 2.9F * em;
   const float room = ImGui::GetContentRegionAvail().x - left - 0.3F * em;
   const ImVec2 words = ImGui::CalcTextSize(title.c_str(), nullptr, false, room);
@@ -39,9 +39,8 @@ bool stage_row(const std::string& title, std::size_t number, bool is_here, bool 
   const float line = at.y + 0.25F * em;
   add_mark({at.x + 0.5F * em, line + 0.5F * em}, em, is_here, is_visited);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const std::string count = fmt::format("{}", number);
-  list.AddText({at.x + 2.4F * em - ImGui::CalcTextSize(count.c_str()).x, line},
-               ImGui::GetColorU32(ImGuiCol_TextDisabled), count.c_str());
+  list.AddText({at.x + 2.4F * em - ImGui::CalcTextSize(number.c_str()).x, line},
+               ImGui::GetColorU32(ImGuiCol_TextDisabled), number.c_str());
   list.AddText(ImGui::GetFont(), em, {at.x + left, line}, ImGui::GetColorU32(ImGuiCol_Text), title.c_str(),
                nullptr, room);
   return chosen;
@@ -207,7 +206,9 @@ void OutlinePanel::draw_stages(PanelContext& context) {
       if (ImGui::Checkbox("##shown", &is_shown)) session.leave_out(stages[i].id, !is_shown);
       ImGui::SameLine();
     }
-    if (stage_row(title, i + 1, here, session.visited().contains(stages[i].id))) session.go_to({i, 0});
+    const auto number = session.stage_number(i);
+    const std::string count = number ? std::to_string(number->number) : "–";
+    if (stage_row(title, count, here, session.visited().contains(stages[i].id))) session.go_to({i, 0});
     if (here) ImGui::SetItemDefaultFocus();
     ImGui::PopID();
     if (!here) continue;

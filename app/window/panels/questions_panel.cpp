@@ -7,6 +7,8 @@
 #include "app/window/panels/panels.h"
 #include "app/window/panels/progress_table.h"
 #include "app/window/panels/state_question.h"
+#include "base/words/edition_words.h"
+#include "base/words/page_words.h"
 #include "lessons/notation/typed/typed_formula.h"
 #include "lessons/reader/questions/line_notation.h"
 
@@ -25,13 +27,17 @@ using Mark = AnswerJudgement::Mark;
 /// Of the answer that was judged, whatever is typed since.
 void show_verdict(PanelContext& context, const JudgedAnswer& answer) {
   const AnswerJudgement& verdict = answer.judgement;
-  const std::string word = verdict.mark == Mark::wrong ? "Not right" : "Cannot be read";
-  if (verdict.mark == Mark::right) return right_words("Right.");
-  // Of a choice the reason is the whole sentence: "A is not right".
-  const bool is_sentence = verdict.choice > 0;
-  warning_words(verdict.reason.empty() ? word + "."
-                : is_sentence          ? verdict.reason + '.'
-                                       : fmt::format("{}: {}.", word, verdict.reason));
+  const Language language = context.session.lesson().about.language;
+  if (verdict.mark == Mark::right) return right_words(std::string(words::kRight.in(language)));
+  if (verdict.choice > 0) {
+    const char letter = letter_of_choice(static_cast<std::size_t>(verdict.choice) - 1);
+    warning_words(words::kChoiceIsNotRight.with(language, {std::string(1, letter)}));
+  } else {
+    const Phrase& phrase = verdict.mark == Mark::wrong ? words::kNotRight : words::kCannotBeRead;
+    std::string word(phrase.in(language));
+    if (!verdict.reason.empty()) word = word.substr(0, word.size() - 1) + ": " + verdict.reason + '.';
+    warning_words(word);
+  }
   if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, answer.text));
   if (!verdict.hint.empty()) quiet_words(verdict.hint);
   if (const auto& counter = verdict.counterexample) {

@@ -48,7 +48,8 @@ void SavePanel::draw(PanelContext& context) {
   ImGui::Checkbox("transparent background", &options.transparent);
   offer(context, "Save the page", SaveAs::page, "As polhode export writes it. " + told(Command::save_page));
   offer(context, "Save the figure", SaveAs::figure, "Without text and plots");
-  offer(context, "Save the equation", SaveAs::equation, "The last one of this step, at 300 dots per inch");
+  offer(context, "Save the equation", SaveAs::equation,
+        "The last one of this step, or your derivation as far as it goes, at 300 dots per inch");
   heading("Motion");
   ImGui::BeginDisabled(!context.session.model());
   if (ImGui::Button("Copy as CSV", {-1, 0})) context.requests.clipboard = trace_of(context.session);

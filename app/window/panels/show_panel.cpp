@@ -2,6 +2,7 @@
 #include "app/session/camera_moves.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
+#include "render/figure/omega_tip.h"
 #include "render/scene/model/scene_needs.h"
 
 #include <imgui.h>
@@ -11,6 +12,8 @@
 namespace polhode {
 
 namespace {
+
+constexpr const char* kDrawnByLesson = "drawn by an arrow of this lesson";
 
 /// As alternative texts call it, without the article.
 std::string words_of(Overlay overlay) {
@@ -69,7 +72,8 @@ void choose_camera(LessonSession& session) {
 void offer_overlay(PanelContext& context, Overlay overlay) {
   LessonSession& session = context.session;
   const SceneModel& model = *session.model();
-  bool shown = model.scene.show.contains(overlay);
+  const bool is_lessons = !model.scene.show.contains(overlay) && draws_by_arrow(model, overlay);
+  bool shown = is_lessons || model.scene.show.contains(overlay);
   const std::string unseen = what_is_unseen(overlay, model.scene);
   // Of what would not be seen there is no picture.
   constexpr float kPicture = 2.7F;  // em, in height
@@ -79,18 +83,21 @@ void offer_overlay(PanelContext& context, Overlay overlay) {
     context.pictures.show(overlay, model.scene, session.preferences.theme, height, !session.is_moving());
   const float below = ImGui::GetCursorPosY();
   ImGui::SetCursorPos({left + height * 4 / 3 + ImGui::GetStyle().ItemSpacing.x, before});
-  const bool is_changed = wrapped_checkbox(words_of(overlay), shown);
+  ImGui::BeginDisabled(is_lessons);
+  const bool is_changed = wrapped_checkbox(words_of(overlay), shown) && !is_lessons;
+  ImGui::EndDisabled();
   if (unseen.empty()) ImGui::SetCursorPosY(std::max(below, ImGui::GetCursorPosY()));
   if (is_changed) {
     SceneEdits edits = session.edits();
     set_shown(edits, session.lesson_scene(), overlay, shown);
     context.requests.edits = edits;
   }
-  if (unseen.empty()) return;
+  const std::string note = is_lessons ? kDrawnByLesson : unseen;
+  if (note.empty()) return;
   const float indent = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + height * 4 / 3 +
                        ImGui::GetStyle().ItemSpacing.x;
   ImGui::Indent(indent);
-  quiet_words(unseen);
+  quiet_words(note);
   ImGui::Unindent(indent);
 }
 

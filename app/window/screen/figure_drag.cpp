@@ -2,8 +2,11 @@
 #include "app/window/screen/figure_drag.h"
 
 #include "app/session/camera_moves.h"
+#include "app/session/omega_drag.h"
 
 #include <imgui.h>
+
+#include <cmath>
 
 namespace polhode {
 
@@ -12,11 +15,15 @@ std::string FigureDrag::use_mouse(LessonSession& session, const std::vector<Inse
   using On = FigureHand::On;
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.MouseDown[0] || session.model() == nullptr) hand_.let_go();
-  is_near_ = false;
+  is_near_ = is_near_untaken_ = false;
   if (session.model() == nullptr) return {};
   const Vec2 at(io.MousePos.x, io.MousePos.y);
   const On under = on_page ? FigureHand::under(session, insets, at, reach) : On::nothing;
   is_near_ = under == On::omega && !io.MouseDown[0];
+  if (under == On::figure && !io.MouseDown[0])
+    for (const TipOnScreen& tip : untaken_tips(*session.model(), session.t_s(), insets))
+      is_near_untaken_ = is_near_untaken_ || std::hypot(tip.x - at.x(), tip.y - at.y()) < reach;
+  if (is_near_untaken_) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
   scales_ = io.KeyShift;
   const bool over = under != On::nothing;
   if (over && io.MouseClicked[0]) hand_.take(session, insets, at, reach);

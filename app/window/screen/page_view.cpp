@@ -12,20 +12,24 @@ namespace polhode {
 namespace {
 
 PageRequest request_of(const LessonSession& session, const PageLook& look) {
-  return {.lesson = session.lesson(),
-          .stage = session.stage(),
-          .number = static_cast<int>(session.place().stage) + 1,
-          .step = static_cast<int>(session.place().step) + 1,
-          .model = session.model(),
-          .t_s = session.t_s(),
-          .size = look.size,
-          .theme = session.preferences.theme,
-          .quality = {},
-          .text_scale = session.preferences.text_scale,
-          .runs = true,
-          .scrolls = !look.fits,
-          .covered = look.covered,
-          .derivation = session.shown_derivation()};
+  const auto number = session.stage_number(session.place().stage);
+  return {
+      .lesson = session.lesson(),
+      .stage = session.stage(),
+      .number = static_cast<int>(session.place().stage) + 1,
+      .counted_as = number ? std::optional(PageRequest::Count{number->number, number->count}) : std::nullopt,
+      .step = static_cast<int>(session.place().step) + 1,
+      .model = session.model(),
+      .t_s = session.t_s(),
+      .size = look.size,
+      .theme = session.preferences.theme,
+      .quality = {},
+      .text_scale = session.preferences.text_scale,
+      .runs = true,
+      .scrolls = !look.fits,
+      .display_scale = look.scale,
+      .covered = look.covered,
+      .derivation = session.shown_derivation()};
 }
 
 /// Of the column, what is scrolled away under the figure above it: lines as a whole, boxes and bars in part.
@@ -60,8 +64,9 @@ void hide_above_ceiling(Page& page) {
 
 PageView::PageKey PageView::key_of(const LessonSession& session, const PageLook& look) const {
   const SceneModel* model = session.model();
-  return {{session.loaded_pointer(), session.place(), session.model_number(), look.size,
-           session.has_scene() ? 0 : look.covered, session.preferences, session.shown_derivation()},
+  return {{session.loaded_pointer(), session.place(), session.stage_number(session.place().stage),
+           session.model_number(), look.size, look.scale, session.has_scene() ? 0 : look.covered,
+           session.preferences, session.shown_derivation()},
           look,
           session.t_s(),
           session.transition(),
@@ -99,6 +104,7 @@ Status PageView::compose(const LessonSession& session, const PageKey& key) {
   symbols_ = symbols_on(page_.sheet, fonts);
   column_symbols_ = 0;
   figure_names_.reset();
+  type_beside_text_.reset();
   if (page_.overflow > 0) {
     const auto first = page_.sheet.texts.begin();
     Sheet column{.shapes = {}, .over_insets = {}, .texts = {}};
@@ -107,8 +113,8 @@ Status PageView::compose(const LessonSession& session, const PageKey& key) {
     if (page_.hidden > 0 && page_.ceiling > 0) hide_above_ceiling(page_);
   }
   const PageColors& colors = colors_of(request.theme);
-  for (FlatShape& mark :
-       marks_of(symbols_, key.lit, key.look.focus, colors.marked, colors.question, page_.scale * 16))
+  for (FlatShape& mark : marks_of(symbols_, key.lit, key.look.focus, colors.marked, colors.question,
+                                  page_.scale * 16 * key.look.scale))
     page_.sheet.shapes.push_back(std::move(mark));
   for (Inset& inset : page_.insets) inset.resolution = key.look.resolution;
   return success();
@@ -128,10 +134,11 @@ bool PageView::scroll(double by_px) {
 }
 
 bool PageView::has_small_type() const {
-  const auto is_small = [](const PlacedType& text) {
+  const double least = kLeastSmall * (shown_ ? shown_->look.scale : 1.0) - 0.01;
+  const auto is_small = [least](const PlacedType& text) {
     double size = 0;  // without what is raised or lowered in it
     for (const Glyph& glyph : text.list.glyphs) size = std::max(size, glyph.size);
-    return size > 0 && size < kLeastSmall - 0.01;
+    return size > 0 && size < least;
   };
   const std::vector<PlacedType>& texts = page_.sheet.texts;
   return std::any_of(texts.begin() + static_cast<std::ptrdiff_t>(page_.column_texts), texts.end(), is_small);
@@ -181,7 +188,23 @@ std::optional<PageSymbol> PageView::figure_name_at(const LessonSession& session,
   return found ? std::optional((*figure_names_)[*found]) : std::nullopt;
 }
 
-const Block* PageView::block_at(const LessonSession& session, const Vec2& at) const {
+const std::vector<PixelBox>& PageView::type_beside_text() const {
+  if (type_beside_text_) return *type_beside_text_;
+  type_beside_text_.emplace();
+  const auto add = [&](const PlacedType& text, const Vec2& corner) {
+    const Vec2 at = text.at + corner;
+    type_beside_text_->push_back(
+        {at.x(), at.y() - text.list.ascent, at.x() + text.list.width, at.y() + text.list.depth});
+  };
+  for (const Inset& inset : page_.insets)
+    for (const PlacedType& text : type_on_figure(inset, renderer_.fonts()))
+      add(text, Vec2(inset.place.x, inset.place.y));
+  for (std::size_t i = page_.column_texts; i < page_.sheet.texts.size(); ++i)
+    add(page_.sheet.texts[i], Vec2(0, 0));
+  return *type_beside_text_;
+}
+
+const ColumnPiece* PageView::piece_at(const Vec2& at) const {
   if (!text_ || at.y() < page_.ceiling) return nullptr;
   const double reach = 4 * page_.scale;
   const auto holds = [&](const PlacedType& text) {
@@ -189,9 +212,24 @@ const Block* PageView::block_at(const LessonSession& session, const Vec2& at) co
     return at.x() >= from.x() - reach && at.x() < from.x() + text.list.width + reach &&
            at.y() >= from.y() - text.list.ascent - reach && at.y() < from.y() + text.list.depth + reach;
   };
-  const void* found = nullptr;
+  const ColumnPiece* found = nullptr;
   for (const ColumnPiece& piece : text_->stack.pieces)
-    if (std::any_of(piece.sheet.texts.begin(), piece.sheet.texts.end(), holds)) found = piece.of;
+    if (std::any_of(piece.sheet.texts.begin(), piece.sheet.texts.end(), holds)) found = &piece;
+  return found;
+}
+
+bool PageView::speaks_of_shown_motion(const LessonSession& session, const PageSymbol& symbol) const {
+  const TypeBox& box = symbol.box;
+  const ColumnPiece* piece = piece_at({0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)});
+  if (piece == nullptr || piece->step == 0) return true;
+  const Step& step = session.stage().steps[static_cast<std::size_t>(piece->step) - 1];
+  if (&step == &session.step()) return true;
+  return step.scene && session.has_scene() && same_course(*step.scene, *session.step().scene);
+}
+
+const Block* PageView::block_at(const LessonSession& session, const Vec2& at) const {
+  const ColumnPiece* piece = piece_at(at);
+  const void* found = piece != nullptr ? piece->of : nullptr;
   for (const Step& step : session.stage().steps)
     for (const Block& block : step.blocks)
       if (&block == found) return &block;

@@ -15,6 +15,7 @@ namespace polhode {
 /// What decides a page's pixels apart from the session.
 struct PageLook {
   Size size;
+  double scale = 1;                    ///< of the display: 1 for about 96 dots per inch
   std::optional<std::size_t> focus{};  ///< place among symbols(): has a ring
   double resolution = 1;               ///< of figures, while something moves
   bool keep_text = false;              ///< while ω is dragged: the text as it was set before
@@ -50,6 +51,11 @@ class PageView {
   std::optional<std::size_t> symbol_under(const Vec2& at, double reach) const;
   /// The name of a symbol in a figure that stands within `reach` px of the pointer; nothing: none does.
   std::optional<PageSymbol> figure_name_at(const LessonSession& session, const Vec2& at, double reach) const;
+  /// Where type stands beside the text: names in figures, captions, plots. Precondition: shown
+  const std::vector<PixelBox>& type_beside_text() const;
+  /// Whether what the symbol stands in speaks of the motion that the figure shows: not a step above that has
+  /// another.
+  bool speaks_of_shown_motion(const LessonSession& session, const PageSymbol& symbol) const;
   /// The part of the stage's text that stands there; null: none does.
   const Block* block_at(const LessonSession& session, const Vec2& at) const;
   const std::vector<Inset>& insets() const { return page_.insets; }
@@ -63,8 +69,10 @@ class PageView {
   struct TextKey {
     std::shared_ptr<const LoadedLesson> loaded;
     StepPlace place;
+    std::optional<LessonSession::StageNumber> number;
     unsigned model_number = 0;
     Size size;
+    double scale = 1;
     double covered = 0;  ///< of a page without a figure, whose text stands aside
     Preferences preferences;
     ShownDerivation derivation;
@@ -85,6 +93,7 @@ class PageView {
   static bool reads_the_same(const TextKey& before, const TextKey& now);
   static bool is_step_before(const TextKey& before, const TextKey& now);
   Status compose(const LessonSession& session, const PageKey& key);
+  const ColumnPiece* piece_at(const Vec2& at) const;
 
   const Gl& gl_;
   Renderer& renderer_;
@@ -96,7 +105,8 @@ class PageView {
   Page page_;
   std::vector<PageSymbol> symbols_;
   mutable std::optional<std::vector<PageSymbol>>
-      figure_names_;                ///< absent: not asked for since the page was made
+      figure_names_;  ///< absent: not asked for since the page was made
+  mutable std::optional<std::vector<PixelBox>> type_beside_text_;  ///< likewise
   std::size_t column_symbols_ = 0;  ///< so many of the first are scrolled; 0: none
   std::optional<Framebuffer> picture_;
 };

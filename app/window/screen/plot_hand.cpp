@@ -14,9 +14,9 @@ namespace polhode {
 
 namespace {
 
-std::string with_unit(double value, const std::string& unit) {
+std::string with_unit(double value, const std::string& unit, Language language) {
   const bool is_plain = !unit.empty() && unit.find_first_of("$;") == unit.npos;  // else the axis has it
-  return readable(value) + (is_plain ? " " + unit : "");
+  return with_decimals(readable(value), language) + (is_plain ? " " + unit : "");
 }
 
 std::optional<std::size_t> plot_at(const std::vector<PlotReading>& plots, const Vec2& at) {
@@ -38,7 +38,7 @@ ImU32 color_of(const Color& color) { return ImGui::ColorConvertFloat4ToU32({colo
 
 /// A line at the sample, what x is there among the marks below it, and on each curve a dot with its value
 /// beside it.
-void draw_reading(const PlotReading& plot, double at_px, const ControlSizes& sizes) {
+void draw_reading(const PlotReading& plot, double at_px, Language language, const ControlSizes& sizes) {
   const std::size_t i = plot.nearest(at_px);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float em = sizes.em, x = std::floor(static_cast<float>(plot.x_px[i])) + 0.5F;
@@ -54,7 +54,7 @@ void draw_reading(const PlotReading& plot, double at_px, const ControlSizes& siz
   for (const PlotReading::Curve& curve : plot.curves) {
     if (i >= curve.y_px.size() || !std::isfinite(curve.y_px[i])) continue;
     values.push_back(
-        {with_unit(curve.y[i], plot.unit), static_cast<float>(curve.y_px[i]), color_of(curve.ink)});
+        {with_unit(curve.y[i], plot.unit, language), static_cast<float>(curve.y_px[i]), color_of(curve.ink)});
     widest = std::max(widest, ImGui::CalcTextSize(values.back().words.c_str()).x);
   }
   std::sort(values.begin(), values.end(), [](const Value& a, const Value& b) { return a.y < b.y; });
@@ -72,8 +72,7 @@ void draw_reading(const PlotReading& plot, double at_px, const ControlSizes& siz
     write(list, {fits_right ? x + gap : x - gap - width, static_cast<float>(placed[k]) - 0.5F * em},
           value.words, value.ink, pad);
   }
-  const std::string where =
-      plot.is_of_time ? "t = " + with_unit(plot.x[i], plot.x_unit) : with_unit(plot.x[i], plot.x_unit);
+  const std::string where = (plot.is_of_time ? "t = " : "") + with_unit(plot.x[i], plot.x_unit, language);
   const float width = ImGui::CalcTextSize(where.c_str()).x;
   const float left =
       std::clamp(x - 0.5F * width, static_cast<float>(plot.frame.x0),
@@ -99,7 +98,7 @@ bool PlotHand::use_mouse(LessonSession& session, const std::vector<PlotReading>&
     session.set_playing(false);
     session.scrub_to(plot.x_at(at.x()));
   }
-  if (!session.is_playing()) draw_reading(plot, at.x(), sizes);
+  if (!session.is_playing()) draw_reading(plot, at.x(), session.lesson().about.language, sizes);
   return true;
 }
 

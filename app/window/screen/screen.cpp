@@ -130,10 +130,18 @@ void Screen::adopt_style(const LessonSession& session, const ScreenFrame& frame)
   }
 }
 
+/// Where so little of the figure would be left beside it that one sees nothing, it takes the figure's whole
+/// side, as the last frame had it.
 float Screen::panel_width(const LessonSession& session, Size size) const {
+  const auto width = static_cast<float>(size.width);
   if (session.panel == Panel::none) return 0;
-  if (session.panel == Panel::lessons) return static_cast<float>(size.width);
-  return std::min(sizes_->panel, std::round(0.45F * static_cast<float>(size.width)));
+  if (session.panel == Panel::lessons) return width;
+  const float wished = std::min(sizes_->panel, std::round(0.45F * width));
+  const Page& page = page_->page();
+  const auto text = static_cast<float>(page.meters.x0);  // its end, with the gutter
+  const bool is_beside = session.has_scene() && !session.is_enlarged() && page.ceiling <= 0 && text > 0;
+  const bool leaves_nothing = width - wished - text < static_cast<float>(page.least_figure);
+  return is_beside && leaves_nothing && text < 0.8F * width ? width - text : wished;
 }
 
 /// What the bar leaves. A panel lies over the figure's side: nothing of the text moves.
@@ -163,6 +171,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   ImGui::SetCurrentContext(imgui_);
   const bool typing = ImGui::GetIO().WantTextInput;
   if (!is_repeated) session.begin_change();
+  pointer_is_left_ = true;
   if (has_menu_ && key == "Escape" && !session.is_black()) {
     has_menu_ = false;
     return true;
@@ -263,10 +272,11 @@ bool Screen::press_while_presenting(LessonSession& session, std::string_view key
   }
   const std::string digits = std::exchange(digits_, "");
   if (key == "Enter" && !digits.empty()) {
-    const std::size_t number = std::stoul(digits), last = session.lesson().stages.size();
+    const std::vector<std::size_t> stages = session.counted_stages();
+    const std::size_t number = std::stoul(digits), last = stages.size();
     tell(number >= 1 && number <= last ? ""
                                        : fmt::format("There is no stage {}; the last is {}.", number, last));
-    if (number >= 1 && number <= last) session.go_to({number - 1, 0});
+    if (number >= 1 && number <= last) session.go_to({stages[number - 1], 0});
     return true;
   }
   const bool was_black = session.is_black();
@@ -397,6 +407,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     if (shown_place_ && session.panel == Panel::lessons)
       session.panel = Panel::none;  // it would hide the place
     shown_place_ = session.place();
+    pointer_is_left_ = step_is_new_ = true;
     symbols_.forget(session);
     held_back_.reset();
     choice_in_focus_.reset();
@@ -415,7 +426,12 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   let_enter_press();
   type_ahead(session);
   if (io.MouseClicked[0]) session.begin_change();
-  if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) pointed_s_ = clock_s_;
+  if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) {
+    pointed_s_ = clock_s_;
+    pointer_is_left_ = step_is_new_ = false;
+  }
+  pointer_is_left_ = pointer_is_left_ || io.MouseClicked[0];
+  if (pointer_is_left_) hold_back_tooltips();
   frames_of_tooltip_ = clock_s_ > pointed_s_ + kTooltipDelay_s ? frames_of_tooltip_ + 1 : 0;
   lay_out_controls(session, page_region(session, frame.size), frame.size);
   if (std::exchange(requests_.next_step, false) && !holds_back(session, false))
@@ -425,7 +441,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   if (!requests_.clipboard.empty()) copy();
   if (requests_.save_as) save(session);
   if (!requests_.slides.empty()) name_slides(session);
-  symbols_.draw_note(session, page_->symbols(), sizes_->em);
+  symbols_.draw_note(session, *page_, sizes_->em);
   if (!session.has_speaker()) draw_notices(region_of_notices(session, frame.size), sizes_->padding);
   if (!session.is_black()) draw_scroll_marks(session);
   draw_invitation(session);
@@ -442,7 +458,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
       (drag_.is_held() || plots_.is_held() || varies_) && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
   const bool moving = session.is_moving() || is_dragging;
   const double resolution = moving ? pace_.resolution() : 1.0;
-  const auto painted = show_page(session, page_region(session, frame.size), resolution);
+  const auto painted = show_page(session, page_region(session, frame.size), frame.scale, resolution);
   if (!painted) return failure(painted.error());
   controls_->draw(*ImGui::GetDrawData(), *picture_);
   if (Status kept = keep_for_audience(session); !kept) return kept;
@@ -468,21 +484,28 @@ Status Screen::keep_for_audience(const LessonSession& session) {
 }
 
 /// At the lower edge of what a panel leaves of the page, but where there is a figure beside the text, or
-/// above it, and above the caption.
+/// above it, and above the caption. Where a panel leaves too little beside the text it is at the panel's
+/// foot.
 Region Screen::region_of_notices(const LessonSession& session, Size size) const {
   constexpr float kLeast = 10;  // em
   Region region = page_region(session, size);
-  region.width -= covered_width(session, size);
+  const float covered = covered_width(session, size), whole = region.width;
+  region.width -= covered;
   const Page& page = page_->page();
   if (!session.has_scene() || session.panel == Panel::lessons) return region;
+  const float pictures = end_of_pictures(page_->insets());
   if (page.ceiling > 0) {
-    region.height = std::min(region.height, static_cast<float>(page.ceiling));
-  } else if (const float left = static_cast<float>(page.column.x1) + 2 * sizes_->em;
-             region.width - left > kLeast * sizes_->em) {
-    region.x = left;
-    region.width -= left;
+    region.height = std::min({region.height, static_cast<float>(page.ceiling), pictures});
+    return region;
   }
-  region.height = std::min(region.height, end_of_pictures(page_->insets()));
+  const float text = std::min(static_cast<float>(page.column.x1) + 2 * sizes_->em,
+                              static_cast<float>(std::max(page.column.x1, page.meters.x0)));
+  region.x = text;
+  region.width -= text;
+  if (covered > 0 && region.width < kLeast * sizes_->em)
+    region.width = whole - text;
+  else
+    region.height = std::min(region.height, pictures);
   return region;
 }
 
@@ -490,8 +513,10 @@ void Screen::draw_notices(const Region& region, float padding) const {
   notices_.draw(region, *theme_, padding, clock_s_);
 }
 
-Result<bool> Screen::show_page(LessonSession& session, const Region& region, double resolution) {
+Result<bool> Screen::show_page(LessonSession& session, const Region& region, double scale,
+                               double resolution) {
   const PageLook look{.size = whole(region),
+                      .scale = scale,
                       .focus = symbols_.place(),
                       .resolution = resolution,
                       .keep_text = drag_.holds_omega() || varies_,
@@ -550,11 +575,18 @@ void Screen::lay_out_sliders(LessonSession& session) {
   const float free = page_region(session, {static_cast<int>(size.x), static_cast<int>(size.y)}).width -
                      covered_width(session, {static_cast<int>(size.x), static_cast<int>(size.y)});
   const float right = std::min(static_cast<float>(at.x1), free), left = static_cast<float>(at.x0);
-  const TipHand hand = drag_.scales_omega()    ? TipHand::scales
-                       : drag_.holds_omega()   ? TipHand::turns
-                       : drag_.is_near_omega() ? TipHand::near
-                                               : TipHand::away;
-  draw_drag_marks(session, page_->insets(), hand, right, *sizes_);
+  const TipHand hand = drag_.scales_omega()      ? TipHand::scales
+                       : drag_.is_short()        ? TipHand::short_of
+                       : drag_.holds_omega()     ? TipHand::turns
+                       : drag_.is_near_omega()   ? TipHand::near
+                       : drag_.is_near_untaken() ? TipHand::untaken
+                                                 : TipHand::away;
+  AroundTip around{.room = {at.x0, at.y0, static_cast<double>(right), at.y1}, .place = &place_at_tip_};
+  if (hand == TipHand::away)
+    place_at_tip_ = 0;
+  else
+    around.names = page_->type_beside_text();
+  draw_drag_marks(session, page_->insets(), hand, around, *sizes_);
   if (right - left < kRoomOfButton * sizes_->em) return;
   const auto top = static_cast<float>(at.y0),
              end = std::min(static_cast<float>(at.y1), end_of_pictures(page_->insets()));
@@ -564,7 +596,8 @@ void Screen::lay_out_sliders(LessonSession& session) {
   const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);
-  draw_scene_chip(session, page_->insets(), drag_.holds_omega(), figure, *sizes_);
+  if (!session.has_speaker())  // in whose window it is then
+    draw_scene_chip(session, page_->insets(), drag_.holds_omega(), figure, *sizes_);
 }
 
 /// On the page, or in a figure that rests: while it moves its names do, too.
@@ -585,7 +618,7 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
   const auto under =
       on_page ? page_->symbol_under({io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt;
   draw_page_menu(session, on_page, under);
-  symbols_.point_at(session, page_->symbols(), pointed_symbol(session, under));
+  symbols_.point_at(session, page_->symbols(), step_is_new_ ? std::nullopt : pointed_symbol(session, under));
   if (under && io.MouseClicked[0] && follow(session, page_->symbols()[*under].name)) return;
   if (on_page) scroll_by_wheel();
   if (on_page && io.MouseClicked[0] && !under) {

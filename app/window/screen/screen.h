@@ -117,7 +117,7 @@ class Screen {
   void draw_choices(const LessonSession& session, const Page::Choice* pointed_at) const;
   const Page::OpenQuestion* question_at(const LessonSession& session, const Vec2& at) const;
   bool use_questions(LessonSession& session, bool on_page);
-  Result<bool> show_page(LessonSession& session, const Region& region, double resolution);
+  Result<bool> show_page(LessonSession& session, const Region& region, double scale, double resolution);
   void lay_out_controls(LessonSession& session, const Region& page, Size size);
   void lay_out_sliders(LessonSession& session);
   void use_pointer(LessonSession& session, const Region& page);
@@ -146,7 +146,8 @@ class Screen {
   SymbolFocus symbols_;
   FigureDrag drag_;
   PlotHand plots_;
-  bool varies_ = false;  ///< a number, by a slider that is held
+  std::size_t place_at_tip_ = 0;  ///< of the words at the tip of ω (place_beside)
+  bool varies_ = false;           ///< a number, by a slider that is held
   Notices notices_;
   std::unique_ptr<SpeechText> speech_;
   std::unique_ptr<LessonTexts> texts_;
@@ -161,6 +162,9 @@ class Screen {
   std::string menu_of_{};     ///< the symbol or link that it was opened on; empty: none
   std::string menu_words_{};  ///< the paragraph there, or the TeX of the equation; empty: there is none
   bool menu_is_of_equation_ = false;
+  /// Since a key or a button was pressed, or another step came, the pointer has not moved: it asks for
+  /// nothing.
+  bool pointer_is_left_ = false, step_is_new_ = false;
   int frames_of_tooltip_ = 0;  ///< since the pointer has rested for as long as a tooltip waits
   bool is_full_ = true, was_moving_ = false;
   std::optional<StepPlace> shown_place_{};

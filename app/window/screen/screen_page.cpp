@@ -122,7 +122,19 @@ bool Screen::walks_by_click(LessonSession& session, const Vec2& at, bool is_free
   return !on_figure && session.next_step();
 }
 
-/// Who has never been here is told how to begin: until something is done.
+namespace {
+
+/// Where the text of the column ends; its upper edge where there is none.
+double end_of_text(const Page& page) {
+  double end = page.column.y0;
+  for (std::size_t i = 0; i < page.column_texts; ++i)
+    end = std::max(end, page.sheet.texts[i].at.y() + page.sheet.texts[i].list.depth);
+  return end;
+}
+
+}  // namespace
+
+/// Who has never been here is told how to begin: until something is done, where there is room below the text.
 void Screen::draw_invitation(const LessonSession& session) {
   const bool is_new = session.visited().size() == 1 && session.place() == StepPlace{} &&
                       session.edits().empty() && session.answers().empty();
@@ -132,9 +144,13 @@ void Screen::draw_invitation(const LessonSession& session) {
   if (!is_new || !is_still || page_->page().overflow > 0 || column.width() <= 0) return;
   const std::string words =
       "Space plays, a drag turns the figure, → goes on, Ctrl+L lists the lessons, ? all keys.";
+  const auto width = static_cast<float>(column.width());
+  const float height = ImGui::CalcTextSize(words.c_str(), nullptr, false, width).y,
+              top = static_cast<float>(column.y1) - 0.2F * sizes_->em - height;
+  if (top < static_cast<float>(end_of_text(page_->page())) + 0.5F * sizes_->em) return;
   ImGui::GetBackgroundDrawList()->AddText(
-      {static_cast<float>(column.x0), static_cast<float>(column.y1) - 1.2F * sizes_->em},
-      ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
+      ImGui::GetFont(), ImGui::GetFontSize(), {static_cast<float>(column.x0), top},
+      ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str(), nullptr, width);
 }
 
 /// The mouse's cursor is too small for a hall, and is not seen in the speaker's window: a spot in its place.
@@ -246,8 +262,9 @@ void Screen::draw_scroll_marks(const LessonSession& session) {
              y0 = static_cast<float>(page.column.y0), y1 = static_cast<float>(page.column.y1);
   const float all = y1 - y0 + static_cast<float>(page.overflow), part = (y1 - y0) / all;
   const float top = y0 + (y1 - y0) * static_cast<float>(page.hidden) / all;
-  const float right = x1 + 1.4F * em;
-  list.AddRectFilled({right, top}, {right + 0.35F * em, top + (y1 - y0) * part},
+  const float thick = 0.35F * em, figure = static_cast<float>(page.meters.x0);
+  const float right = figure > x1 ? std::min(x1 + 1.4F * em, figure - 1.5F * thick) : x1 + 1.4F * em;
+  list.AddRectFilled({right, top}, {right + thick, top + (y1 - y0) * part},
                      ImGui::GetColorU32(ImGuiCol_ScrollbarGrab), 0.2F * em);
   if (page.hidden <= 0) return;
   const Color paper = colors_of(*theme_).paper;

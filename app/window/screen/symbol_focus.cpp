@@ -2,6 +2,7 @@
 #include "app/window/screen/symbol_focus.h"
 
 #include "app/session/symbol_note.h"
+#include "base/words/page_words.h"
 #include "render/typeset/rich_text.h"
 
 #include <fmt/format.h>
@@ -65,12 +66,14 @@ void SymbolFocus::point_at(LessonSession& session, const Symbols& symbols,
     light_focus(session, symbols);
 }
 
-void SymbolFocus::draw_note(const LessonSession& session, const Symbols& symbols, float em) const {
+void SymbolFocus::draw_note(const LessonSession& session, const PageView& page, float em) const {
+  const Symbols& symbols = page.symbols();
   const bool has_focus = explains_ && focus_ && *focus_ < symbols.size();
   if (!hovered_ && !has_focus) return;
   const PageSymbol& symbol = hovered_ ? *hovered_ : symbols[*focus_];
-  const SymbolNote note = note_of(session.lesson(), symbol.name, session.model(), session.t_s(),
-                                  session.stage().id, session.place().step);
+  const SceneModel* model = page.speaks_of_shown_motion(session, symbol) ? session.model() : nullptr;
+  const SymbolNote note =
+      note_of(session.lesson(), symbol.name, model, session.t_s(), session.stage().id, session.place().step);
   const bool is_term = symbol.is_term && !is_link_name(symbol.name);
   if (note.value.empty() && (note.meaning.empty() || (is_term && note.meaning.size() > kMostWords))) return;
   // Not on the formula that it explains; where that is high, a paragraph say, not on its line.
@@ -95,7 +98,9 @@ void SymbolFocus::draw_note(const LessonSession& session, const Symbols& symbols
   const std::string unit = note.unit == kAnyUnit ? "" : note.unit;
   if (!note.value.empty()) {
     ImGui::TextUnformatted(fmt::format("{}{}{}", note.value, unit.empty() ? "" : " ", unit).c_str());
-    if (!note.frame.empty()) ImGui::TextDisabled("components in the %s frame", note.frame.c_str());
+    const Phrase& frame = note.frame == "space" ? words::kComponentsInSpace : words::kComponentsInBody;
+    if (!note.frame.empty())
+      ImGui::TextDisabled("%s", std::string(frame.in(session.lesson().about.language)).c_str());
   } else if (!note.unit.empty() && note.unit != kAnyUnit) {
     ImGui::TextDisabled("%s", note.unit.c_str());
   }

@@ -5,6 +5,7 @@
 
 #include "app/session/lesson_session.h"
 #include "app/session/page_symbols.h"
+#include "app/window/screen/page_view.h"
 
 #include <optional>
 #include <string>
@@ -30,8 +31,9 @@ class SymbolFocus {
   void forget(LessonSession& session);
   /// What is under the pointer, on the page or in the figure; nothing: no symbol is.
   void point_at(LessonSession& session, const Symbols& symbols, const std::optional<PageSymbol>& hovered);
-  /// Says what the symbol stands for. @param em of controls, px
-  void draw_note(const LessonSession& session, const Symbols& symbols, float em) const;
+  /// Says what the symbol stands for, and its value where what it stands in speaks of the motion that is
+  /// shown. @param em of controls, px
+  void draw_note(const LessonSession& session, const PageView& page, float em) const;
 
  private:
   void light_focus(LessonSession& session, const Symbols& symbols) const;

@@ -4,6 +4,9 @@
 #include "app/session/answers/answer_text.h"
 #include "app/session/words/step_words.h"
 #include "app/window/controls/widgets.h"
+#include "app/window/screen/figure_marks.h"
+#include "base/ascii.h"
+#include "base/words/page_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -37,7 +40,8 @@ std::string duration_text(double seconds) {
                    : fmt::format("{}:{:02}", minutes, rest);
 }
 
-/// "Step 7 of 238", counted through all stages that are for this class. What is passed over has no number.
+/// "Step 7 of 238", counted through all stages that are for this class, in the lesson's language. What is
+/// passed over has no number.
 std::string count_text(const LessonSession& session) {
   std::size_t before = 0, all = 0;
   for (const std::size_t i : session.chosen_stages()) {
@@ -45,8 +49,11 @@ std::string count_text(const LessonSession& session) {
     before += i < session.place().stage ? steps : 0;
     all += steps;
   }
-  if (session.passes_over(session.place().stage)) return fmt::format("Not one of the {} chosen steps", all);
-  return fmt::format("Step {} of {}", before + session.place().step + 1, all);
+  const Language language = session.lesson().about.language;
+  if (session.passes_over(session.place().stage))
+    return words::kNoneOfChosenSteps.with(language, {std::to_string(all)});
+  return capitalized(words::kStepOf.with(
+      language, {std::to_string(before + session.place().step + 1), std::to_string(all)}));
 }
 
 /// What follows goes on in this row if there is room for it.
@@ -83,6 +90,17 @@ Result<std::unique_ptr<ScreenOfSpeaker>> ScreenOfSpeaker::create(Screen& audienc
   ImGuiContext* imgui = ImGui::CreateContext();
   ImGui::SetCurrentContext(imgui);
   return std::unique_ptr<ScreenOfSpeaker>(new ScreenOfSpeaker(audience, std::move(controls).value(), imgui));
+}
+
+/// Where the page's figure is in this window; all of the page where it has none.
+Region ScreenOfSpeaker::figure_in(const Region& page) const {
+  const Size size = audience_.picture().size();
+  const Region shown = fitted(page, size);
+  const PixelBox& figure = audience_.page().page().figure;
+  if (figure.width() <= 0) return shown;
+  const float scale = shown.width / static_cast<float>(size.width);
+  return {shown.x + scale * static_cast<float>(figure.x0), shown.y + scale * static_cast<float>(figure.y0),
+          scale * static_cast<float>(figure.width()), scale * static_cast<float>(figure.y1 - figure.y0)};
 }
 
 ScreenOfSpeaker::ScreenOfSpeaker(Screen& audience, std::unique_ptr<ControlPass> controls, ImGuiContext* imgui)
@@ -168,8 +186,8 @@ void ScreenOfSpeaker::draw_clock(const LessonSession& session) {
   ImGui::SameLine();
   if (ImGui::SmallButton("from 0:00")) begun_s_ = clock_s_;
   tooltip_of_last("Begin to count the time again");
-  const std::string where = fmt::format("{}; {}, step {} of {}", count_text(session), stage_count(session),
-                                        session.place().step + 1, session.stage().steps.size());
+  const std::string where =
+      fmt::format("{}; {}, {}", count_text(session), stage_count(session), step_count(session));
   same_line_if_fits(where.c_str());
   plain_words(where);
 }
@@ -183,7 +201,9 @@ void ScreenOfSpeaker::draw_outline(LessonSession& session, const Region& region)
     const bool is_here = i == session.place().stage, is_passed = session.passes_over(i);
     if (is_passed) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     const char* note = is_passed ? "   (passed over)" : "";
-    if (choice_row(fmt::format("{}   {}{}##{}", i + 1, title, note, i).c_str(), is_here))
+    const auto stage = session.stage_number(i);
+    const std::string number = stage ? std::to_string(stage->number) : "–";
+    if (choice_row(fmt::format("{}   {}{}##{}", number, title, note, i).c_str(), is_here))
       session.go_to({i, 0});
     if (is_passed) ImGui::PopStyleColor();
     if (!is_here || outlined_ == session.place()) continue;
@@ -240,6 +260,8 @@ void ScreenOfSpeaker::show_next(const LessonSession& session, const Region& regi
     next_ = std::make_unique<LessonSession>(session.loaded_pointer(), session.effort());
     next_->go_to(*next);
   }
+  next_->set_left_out(session.left_out());  // as it will be before the audience
+  next_->set_presenting(session.is_presenting());
   next_->preferences = session.preferences;
   next_->preferences.reduced_motion = true;
   if (!next_page_.show(*next_, {.size = whole(region), .fits = true})) return;
@@ -255,6 +277,11 @@ Status ScreenOfSpeaker::draw(LessonSession& session, const ScreenFrame& frame) {
   io.DisplaySize = {static_cast<float>(frame.size.width), static_cast<float>(frame.size.height)};
   io.DeltaTime = std::max(1e-4F, static_cast<float>(frame.seconds));
   ImGui::NewFrame();
+  if (shown_place_ != session.place()) pointer_is_left_ = true;
+  shown_place_ = session.place();
+  if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) pointer_is_left_ = false;
+  pointer_is_left_ = pointer_is_left_ || io.MouseClicked[0];
+  if (pointer_is_left_) hold_back_tooltips();
   if (!picture_ || picture_->size() != frame.size) {
     picture_.reset();
     auto made = Framebuffer::create(audience_.gl(), frame.size, 0);
@@ -281,6 +308,7 @@ Status ScreenOfSpeaker::draw(LessonSession& session, const ScreenFrame& frame) {
     list.AddRect({at.x - half, at.y - half}, {at.x + at.width + half, at.y + at.height + half},
                  ImGui::GetColorU32(ImGuiCol_NavHighlight), 0, 0, width);
   }
+  draw_scene_chip(session, {}, false, figure_in(areas.page), *sizes_);
   label(areas.next, session.next_place() ? "Next" : "This is the last step", ImGuiCol_Text);
   draw_notes(session, areas.notes);
   draw_outline(session, areas.outline);

@@ -36,6 +36,7 @@ class ScreenOfSpeaker {
     Region page, controls, outline, next, notes;
   };
   Areas areas_of(Size size) const;
+  Region figure_in(const Region& page) const;
   void adopt_style(const LessonSession& session, const ScreenFrame& frame);
   void draw_controls(LessonSession& session, const Region& region);
   void draw_clock(const LessonSession& session);
@@ -54,6 +55,8 @@ class ScreenOfSpeaker {
   std::unique_ptr<LessonSession> next_;  ///< at the step after the present one
   std::optional<ControlSizes> sizes_;
   std::optional<Theme> theme_;
+  std::optional<StepPlace> shown_place_;
+  bool pointer_is_left_ = false;       ///< since a step came or a button was pressed it has not moved
   std::optional<StepPlace> outlined_;  ///< where the outline was scrolled to
   double clock_s_ = 0, begun_s_ = 0;
 };

@@ -125,6 +125,8 @@ struct Ends {
   Vec3 tail, tip;
 };
 Ends torque_ends(const Snapshot& m);
+/// Of an arrow of the lesson's own, by its place among them; nothing: it is too short to be drawn.
+std::optional<Vec3> tip_of_arrow_V(const Snapshot& m, std::size_t arrow);
 
 /// Place of L²/2T between the moments: 0 at I_min, ½ at I_mid, 1 at I_max.
 double scale_place(const PrincipalMoments& I, double L2_over_2T);

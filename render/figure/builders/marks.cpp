@@ -528,4 +528,12 @@ void add_extents_of_marks(const Snapshot& m, Extents& extents) {
   }
 }
 
+std::optional<Vec3> tip_of_arrow_V(const Snapshot& m, std::size_t arrow) {
+  const DrawnVectors vectors(m);
+  const ArrowMark& mark = m.model.scene.marks.arrows[arrow];
+  const auto along = vectors.along_V(mark.of, &mark, m.t_s, m.state);
+  const auto tail = vectors.tail_V(arrow, m.t_s, m.state);
+  return along && tail && along->norm() > kTooShort ? std::optional(Vec3(*tail + *along)) : std::nullopt;
+}
+
 }  // namespace polhode::builders

@@ -113,6 +113,9 @@ TEST(Captions, HaveTheirNumbers) {
   EXPECT_EQ(longest.at(2), "3.0");
   EXPECT_EQ(captions_at(top(), step, model, 9.2, longest).at(0),
             "Spin $\\hphantom{3}{12}\\,\\text{rad/s}$ now, \\$");
+  EXPECT_EQ(captions_at(top(), step, model, 9.2, longest, CaptionBlanks::behind).at(0),
+            "Spin ${12}\\,\\text{rad/s}$ now, \\$$\\hphantom{3}$")
+      << "in a window, without a gap";
 }
 
 // Of the step's own scene as it is: the plane has L point down, against v.

@@ -439,6 +439,7 @@ TEST(Page, DependsOnItsRequestAlone) {
     return !same(page.sheet, compose_page(changed, test_fonts()).value().sheet);
   };
   EXPECT_TRUE(changes([](PageRequest& r) { r.number = 4; }));
+  EXPECT_TRUE(changes([](PageRequest& r) { r.counted_as = {1, 2}; }));
   EXPECT_TRUE(changes([](PageRequest& r) { r.t_s += 0.25; }));
   EXPECT_TRUE(changes([](PageRequest& r) { r.theme = Theme::dark; }));
   EXPECT_TRUE(changes([](PageRequest& r) { r.size = {1025, 768}; }));

@@ -337,5 +337,32 @@ TEST(FigureHand, FindsTheTipInEveryPane) {
   }
 }
 
+// An arrow of the lesson's that is ω with a length, a tail or a scale of its own is not taken.
+TEST(OmegaDrag, KnowsTheArrowsByWhichOmegaIsNotTaken) {
+  int found = 0;
+  for (const Stage& stage :
+       or_fail(load_lesson((test::source_dir() / "lessons/euler-equations.md").string())).lesson.stages)
+    for (const Step& step : stage.steps) {
+      if (!step.scene) continue;
+      const auto is_other = [](const ArrowMark& arrow) {
+        return arrow.of.overlay == O::omega && !is_as_overlay(arrow, O::omega);
+      };
+      const SceneModel model = make_model(*step.scene);
+      const double t_s = still_time_s(*step.scene);
+      const auto tips = untaken_tips(model, t_s, inset_of(model, t_s));
+      if (std::ranges::none_of(step.scene->marks.arrows, is_other)) {
+        EXPECT_TRUE(tips.empty()) << stage.id;
+      } else if (!tips.empty()) {
+        ++found;
+        const TipOnScreen& tip = tips.front();
+        bool is_drawn = false;
+        for (const ArrowOnScreen& arrow : arrows_on_page(inset_of(model, t_s).front()))
+          is_drawn = is_drawn || (arrow.tip - Vec2(tip.x, tip.y)).norm() < 0.01;
+        EXPECT_TRUE(is_drawn) << stage.id << ": where its arrow ends";
+      }
+    }
+  EXPECT_GT(found, 0);
+}
+
 }  // namespace
 }  // namespace polhode

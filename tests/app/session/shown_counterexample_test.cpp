@@ -145,5 +145,74 @@ TEST(ShownCounterexample, KeepsTheTorqueOfWhichItSaysNothing) {
   EXPECT_EQ(session.model()->scene.torque, lessons);
 }
 
+// 2026-11-28: it was shown by a button, and Ctrl+Z did not know of it.
+TEST(ShownCounterexample, IsUndoneAndMadeAgain) {
+  LessonSession session(lesson());
+  const AnswerJudgement judged = session.answer(*session.questions().front(), "w1*w2*(I1 - I2)");
+  session.begin_change();
+  ASSERT_TRUE(session.set_edits({.w0_B = Vec3(1, 2, 3)}));
+  session.scrub_to(0.3);
+  const Scene before = session.model()->scene;
+  ASSERT_TRUE(session.show_counterexample(*judged.counterexample));
+  const Scene shown = session.model()->scene;
+  ASSERT_TRUE(session.can_undo());
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.model()->scene, before);
+  EXPECT_EQ(session.t_s(), 0.3);
+  EXPECT_FALSE(session.is_aside());
+  EXPECT_TRUE(session.redo());
+  EXPECT_EQ(session.model()->scene, shown);
+  ASSERT_NE(session.counterexample(), nullptr);
+  EXPECT_EQ(session.counterexample()->state, judged.counterexample->state);
+  // What is changed by hand in its place comes first.
+  session.begin_change();
+  SceneEdits edits = session.edits();
+  edits.w0_B = Vec3(3, 2, 1);
+  ASSERT_TRUE(session.set_edits(edits));
+  EXPECT_EQ(session.counterexample(), nullptr);
+  EXPECT_TRUE(session.undo());
+  EXPECT_NE(session.counterexample(), nullptr) << "as it was";
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.model()->scene, before);
+  EXPECT_TRUE(session.undo());
+  EXPECT_TRUE(session.edits().empty());
+  EXPECT_FALSE(session.can_undo());
+}
+
+TEST(ShownCounterexample, ThatWasLeftLeavesNothingToUndo) {
+  LessonSession session(lesson());
+  const AnswerJudgement judged = session.answer(*session.questions().front(), "w1*w2*(I1 - I2)");
+  ASSERT_TRUE(session.show_counterexample(*judged.counterexample));
+  session.leave_counterexample();
+  EXPECT_FALSE(session.can_undo());
+  EXPECT_FALSE(session.can_redo());
+  EXPECT_TRUE(session.edits().empty());
+}
+
+// What the chip says of it, that an answer fails for it, is true of that answer.
+TEST(ShownCounterexample, IsNotMadeAgainAfterAnotherAnswer) {
+  LessonSession session(lesson());
+  const Ask& ask = *session.questions().front();
+  const Counterexample counter = *session.answer(ask, "w1*w2*(I1 - I2)").counterexample;
+  ASSERT_TRUE(session.show_counterexample(counter));
+  ASSERT_TRUE(session.undo());
+  session.answer(ask, "w1*w2*(I2 - I1)");
+  EXPECT_FALSE(session.redo());
+  EXPECT_FALSE(session.is_aside());
+  // Nor is it come back to from what was made of it by hand.
+  const Scene before = session.model()->scene;
+  const Counterexample other = *session.answer(ask, "w1*w2*(I1 - I2)").counterexample;
+  ASSERT_TRUE(session.show_counterexample(other));
+  session.begin_change();
+  SceneEdits edits = session.edits();
+  edits.w0_B = Vec3(1, 2, 3);
+  ASSERT_TRUE(session.set_edits(edits));
+  session.answer(ask, "w1*w2*(I2 - I1)");
+  EXPECT_TRUE(session.undo());
+  EXPECT_EQ(session.counterexample(), nullptr);
+  EXPECT_FALSE(session.is_aside());
+  EXPECT_EQ(session.model()->scene, before);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -174,5 +174,14 @@ TEST(SymbolNote, OfALinkSaysWhereItLeads) {
   EXPECT_EQ(meaning("L"), "the angular momentum") << "not what is spoken";
 }
 
+// 2026-11-28: in a German lesson notes had decimal points, and said where links lead in English.
+TEST(SymbolNote, IsInTheLessonsLanguage) {
+  const Lesson lesson = lesson_named("intermediate-axis.de");
+  const SceneModel model = make_model(steady());
+  EXPECT_EQ(note_of(lesson, "L", &model, 0.5).value, "(0; 0; 3,00)");
+  EXPECT_EQ(note_of(lesson, "https://example.org", nullptr, 0).meaning,
+            "Ein Klick kopiert: https://example.org");
+}
+
 }  // namespace
 }  // namespace polhode

@@ -2,11 +2,14 @@
 // The picture of a saved scene has the same bytes as what was shown.
 #include "app/page/figure_place.h"
 #include "app/page/page.h"
+#include "app/session/saved/save_as.h"
 #include "app/session/saved/saved_scene.h"
 #include "lessons/reader/checks/lesson_check.h"
 #include "render/figure/make_figure.h"
+#include "render/image/png.h"
 #include "tests/app/run_program.h"
 #include "tests/app/session/example_lesson.h"
+#include "tests/base/files/folder.h"
 #include "tests/render/gl/drawn.h"
 #include "tests/support/paths.h"
 
@@ -127,6 +130,28 @@ TEST(SavedPictures, OfAWholePage) {
   session.set_camera({.azimuth_rad = 1.0});
   session.scrub_to(0.9);
   expect_same_pictures(session);
+}
+
+// 2026-11-28: where a step derives the button was grey.
+TEST(SavedPictures, OfADerivationAsFarAsItGoes) {
+  LessonSession session(test::loaded_lesson("euler-equations"));
+  const auto derives = [&] {
+    const std::vector<const Ask*> asked = session.questions();
+    return blocks_of<Equation>(session.step()).empty() && !asked.empty() && asked.front()->derivation;
+  };
+  for (bool more = true; more && !derives(); more = session.next_step()) {
+  }
+  ASSERT_TRUE(derives());
+  ASSERT_TRUE(can_save_as(session, SaveAs::equation));
+  const test::Folder folder;
+  const auto begun = save_as(session, SaveAs::equation, {}, folder.path(), *drawn().renderer);
+  ASSERT_TRUE(begun) << begun.error();
+  const Ask& ask = *session.questions().front();
+  EXPECT_NE(begun->filename().string().find(ask.id), std::string::npos) << *begun;
+  session.derive(ask, ask.derivation->worked.front().line.typed);
+  const auto longer = save_as(session, SaveAs::equation, {}, folder.path(), *drawn().renderer);
+  ASSERT_TRUE(longer) << longer.error();
+  EXPECT_GT(read_png(*longer).value().image.size.height, read_png(*begun).value().image.size.height);
 }
 
 }  // namespace

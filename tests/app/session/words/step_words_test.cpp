@@ -19,9 +19,25 @@ TEST(StepWords, CountTheStagesThatAreForAClass) {
   session.go_to({2, 0});
   EXPECT_EQ(stage_count(session), "stage 3 of 3") << "who does not present sees all";
   session.set_presenting(true);
-  EXPECT_EQ(stage_count(session), "stage 3 (2 of 2 chosen)");
+  EXPECT_EQ(stage_count(session), "stage 2 of 2") << "as the page says, and as a number is typed";
   session.go_to({1, 0});
   EXPECT_EQ(stage_count(session), "stage 2 (not one of the 2 chosen)");
+}
+
+// 2026-11-28: it named the first stage of a lesson while all lessons were listed.
+TEST(StepWords, TheWindowsTitleSaysWhereOneIs) {
+  LessonSession session(example());
+  const std::string stage = "A stage";
+  EXPECT_EQ(window_title(session, stage).find("A stage — stage 1 of 3, step 1 of "), 0U)
+      << window_title(session, stage);
+  session.panel = Panel::lessons;
+  EXPECT_EQ(window_title(session, stage), "Lessons — polhode");
+}
+
+TEST(StepWords, AreInTheLessonsLanguage) {
+  const LessonSession session(test::loaded_lesson("intermediate-axis.de"));
+  EXPECT_EQ(stage_count(session).find("Abschnitt 1 von "), 0U) << stage_count(session);
+  EXPECT_EQ(step_count(session).find("Schritt 1 von "), 0U) << step_count(session);
 }
 
 // 2026-11-28: a step that derives had none to be copied.

@@ -100,5 +100,37 @@ TEST_F(LeastTypeTest, PlotsAreHighEnoughToBeRead) {
     }
 }
 
+/// Of the text column.
+double least_of_text(const Page& page) {
+  Page text;
+  const auto first = page.sheet.texts.begin();
+  text.sheet.texts.assign(first, first + static_cast<std::ptrdiff_t>(page.column_texts));
+  return least_type(text).px;
+}
+
+// 2026-11-28: at twice the dots per inch 12 px of the display were 6 of those that a reader knows.
+TEST_F(LeastTypeTest, TypeGrowsWithTheScaleOfTheDisplay) {
+  constexpr double kRounding = 1;  // px, of either end of the column
+  const auto draw = [&](Size size, double scale) {
+    for (int i = 0; i < 3; ++i) {
+      const Status drawn = screen->draw(session, {.size = size, .scale = scale, .seconds = 0.02});
+      ASSERT_TRUE(drawn) << drawn.error();
+    }
+  };
+  for (const Size& size : {Size{640, 480}, Size{800, 560}, Size{360, 640}, Size{1280, 800}}) {
+    session.go_to({1, 2});
+    draw(size, 1);
+    const double once = least_of_text(screen->page().page()), width = screen->page().page().column.width();
+    EXPECT_GE(once, kLeastSmall - 0.01) << size.width;
+    EXPECT_LE(screen->page().page().column.x1, size.width) << size.width;
+    EXPECT_GE(screen->page().page().column.x0, 0) << size.width;
+    draw({2 * size.width, 2 * size.height}, 2);
+    const Page& page = screen->page().page();
+    EXPECT_GE(least_of_text(page), 2 * kLeastSmall - 0.01) << size.width;
+    EXPECT_NEAR(page.column.width(), 2 * width, 2 * kRounding) << size.width;
+    EXPECT_EQ(screen->page().has_small_type(), least_type(page).px < 2 * kLeastSmall - 0.01) << size.width;
+  }
+}
+
 }  // namespace
 }  // namespace polhode

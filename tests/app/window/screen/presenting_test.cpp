@@ -152,5 +152,25 @@ TEST_F(PresentingTest, F5EndsNoTalk) {
   EXPECT_TRUE(session.is_presenting());
 }
 
+// 2026-11-28: "stage 13 of 29" stood before a class for which two stages had been chosen.
+TEST_F(PresentingTest, StagesForAClassAreCounted) {
+  for (const Stage& stage : session.lesson().stages)
+    session.leave_out(stage.id, stage.id != "newton" && stage.id != "poinsot");
+  session.go_to({1, 0});
+  session.set_left_out(session.left_out());
+  frame(3);
+  const Image chosen = screen->page().picture().read();
+  session.set_left_out({});
+  frame(3);
+  EXPECT_NE(screen->page().picture().read().rgba, chosen.rgba) << "stage 1 of 2, stage 2 of 29";
+  for (const Stage& stage : session.lesson().stages)
+    session.leave_out(stage.id, stage.id != "newton" && stage.id != "poinsot");
+  for (const char* key : {"2", "Enter"}) EXPECT_TRUE(screen->press(session, key)) << key;
+  EXPECT_EQ(session.stage().id, "poinsot") << "as the page counts";
+  for (const char* key : {"3", "Enter"}) screen->press(session, key);
+  EXPECT_NE(screen->notice().find("There is no stage 3; the last is 2"), std::string::npos)
+      << screen->notice();
+}
+
 }  // namespace
 }  // namespace polhode

@@ -476,6 +476,80 @@ TEST_F(ScreenTest, ATooltipComesWhereThePointerRests) {
     ASSERT_TRUE(screen->draw(session, {.size = kSize, .scale = 1, .seconds = seconds}));
   }
   EXPECT_TRUE(shown());
+  // It goes with a key, or with the step, and comes again when the pointer moves.
+  screen->press(session, "Right");
+  for (int i = 0; i < 60; ++i) frame();
+  EXPECT_FALSE(shown());
+  x = 1106;
+  for (int i = 0; i < 60; ++i) frame();
+  EXPECT_TRUE(shown());
+}
+
+// 2026-11-28: a step that came under a resting pointer explained what lay there by chance.
+TEST_F(ScreenTest, APointerThatRestsAsksForNothingOfANewStep) {
+  session.go_to({1, 0});
+  frame(3);
+  const TypeBox box = screen->page().symbols().front().box;
+  session.go_to({0, 0});
+  move(0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1));
+  session.go_to({1, 0});
+  frame(5);
+  EXPECT_EQ(session.lit(), "");
+  x += 1;
+  frame(2);
+  EXPECT_NE(session.lit(), "");
+}
+
+// 2026-11-28: in the sentence about a toy that had gone the note of L gave the value of the book.
+TEST_F(ScreenTest, ASymbolHasAValueWhereItsSentenceSpeaksOfWhatIsShown) {
+  int said = 0, unsaid = 0;
+  const auto& stages = session.lesson().stages;
+  for (std::size_t stage = 0; stage < 4; ++stage)
+    for (std::size_t step = 0; step < stages[stage].steps.size(); ++step) {
+      session.go_to({stage, step});
+      frame(2);
+      const std::vector<PageSymbol>& symbols = screen->page().symbols();
+      for (std::size_t i = 0; i < symbols.size(); ++i) {
+        if (!screen->page().is_scrolled(i) && screen->page().page().overflow > 0) continue;
+        const bool speaks = screen->page().speaks_of_shown_motion(session, symbols[i]);
+        const TypeBox& at = symbols[i].box;
+        const Block* block = screen->page().block_at(session, {0.5 * (at.x0 + at.x1), 0.5 * (at.y0 + at.y1)});
+        if (block == nullptr) continue;
+        const auto of = std::ranges::find_if(stages[stage].steps, [&](const Step& one) {
+          return std::ranges::any_of(one.blocks, [&](const Block& its) { return &its == block; });
+        });
+        const bool is_same = &*of == &session.step() || (of->scene && session.step().scene &&
+                                                         same_course(*of->scene, *session.step().scene));
+        EXPECT_EQ(speaks, is_same) << stage + 1 << '.' << step + 1 << ' ' << symbols[i].name;
+        ++(speaks ? said : unsaid);
+      }
+    }
+  EXPECT_GT(said, 10);
+  EXPECT_GT(unsaid, 10);
+}
+
+// 2026-11-28: of an arrow of another length the window said nothing, and turned the figure.
+TEST_F(ScreenTest, AnArrowThatIsNotTakenSaysWhy) {
+  const auto& stages = session.lesson().stages;
+  int told = 0;
+  for (std::size_t stage = 0; stage < stages.size() && told == 0; ++stage)
+    for (std::size_t step = 0; step < stages[stage].steps.size() && told == 0; ++step) {
+      session.go_to({stage, step});
+      if (!session.has_scene()) continue;
+      frame(2);
+      const auto tips = untaken_tips(*session.model(), session.t_s(), screen->page().insets());
+      if (tips.empty() || !omega_tips(*session.model(), session.t_s(), screen->page().insets()).empty())
+        continue;
+      ++told;
+      move(4, 4);
+      frame(2);
+      const Image before = screen->read();
+      move(tips.front().x, tips.front().y);
+      frame(3);
+      EXPECT_NE(screen->read().rgba, before.rgba);
+      EXPECT_EQ(ImGui::GetMouseCursor(), ImGuiMouseCursor_NotAllowed);
+    }
+  EXPECT_EQ(told, 1);
 }
 
 // What is written at the tip while it is held is not covered, nor is the tip afterwards.

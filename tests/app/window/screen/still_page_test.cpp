@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <utility>
 
@@ -261,6 +262,108 @@ TEST_F(StillPageTest, WhatIsToldCoversNoText) {
     EXPECT_EQ(hidden, 0) << size.width << 'x' << size.height;
     for (int i = 0; i < 400; ++i) draw_at(size, 1);
   }
+}
+
+/// A window, and the scale of its display.
+struct Shown {
+  Size size;
+  double scale;
+};
+constexpr std::array kShown = {Shown{{1280, 800}, 1}, Shown{{960, 720}, 1},   Shown{{800, 560}, 1},
+                               Shown{{640, 480}, 1},  Shown{{1280, 960}, 2},  Shown{{1600, 1200}, 2},
+                               Shown{{720, 1280}, 1}, Shown{{1920, 1440}, 2}, Shown{{720, 1280}, 2}};
+
+// 2026-11-28: it cut the figure and its caption in two, and at twice the dots per inch lay over the text.
+TEST_F(StillPageTest, APanelIsBesideTheFigureOrOverAllOfIt) {
+  for (const auto& [size, scale] : kShown)
+    for (const Panel panel : {Panel::body, Panel::show}) {
+      session.go_to({0, 3});
+      session.panel = panel;
+      for (int i = 0; i < 4; ++i)
+        ASSERT_TRUE(screen->draw(session, {.size = size, .scale = scale, .seconds = 0.02}));
+      const ImRect at = ImGui::FindWindowByName("panel")->Rect();
+      const Page& page = screen->page().page();
+      const bool is_beside = page.ceiling <= 0;
+      if (is_beside) EXPECT_GE(static_cast<double>(at.Min.x), page.column.x1) << size.width << ' ' << scale;
+      for (const Inset& inset : page.insets) {
+        const auto left = static_cast<float>(inset.place.x),
+                   right = static_cast<float>(inset.place.x + inset.place.width);
+        EXPECT_TRUE(right <= at.Min.x || left >= at.Min.x) << size.width << ' ' << scale;
+      }
+    }
+}
+
+// 2026-11-28: where a panel leaves less than 10 em beside the text it lay over that.
+TEST_F(StillPageTest, WhatIsToldBesideAPanelCoversNoText) {
+  for (const auto& [size, scale] : kShown) {
+    session.go_to({0, 3});
+    session.panel = Panel::body;
+    screen->tell("This is told for a while, and nobody is to lose a line by it.");
+    for (int i = 0; i < 4; ++i)
+      ASSERT_TRUE(screen->draw(session, {.size = size, .scale = scale, .seconds = 0.02}));
+    const ImGuiWindow* strip = ImGui::FindWindowByName("strip");
+    ASSERT_TRUE(strip != nullptr && strip->Active);
+    const Page& page = screen->page().page();
+    const bool is_clear = static_cast<double>(strip->Rect().Min.x) >= page.column.x1 ||
+                          static_cast<double>(strip->Rect().Max.y) <= page.ceiling;
+    EXPECT_TRUE(is_clear) << size.width << ' ' << scale;
+    EXPECT_LE(strip->Rect().Max.x, static_cast<float>(size.width));
+  }
+}
+
+/// Where two pictures differ.
+PixelBox difference(const Image& a, const Image& b) {
+  PixelBox box{1e9, 1e9, -1, -1};
+  for (int row = 0; row < a.size.height; ++row)
+    for (int at = 0; at < a.size.width; ++at)
+      if (std::memcmp(a.pixel(at, row), b.pixel(at, row), 4) != 0)
+        box = {std::min<double>(box.x0, at), std::min<double>(box.y0, row), std::max<double>(box.x1, at),
+               std::max<double>(box.y1, row)};
+  return box;
+}
+
+// 2026-11-28: in a narrow column the line of help for who is new crossed the figure.
+TEST_F(StillPageTest, HowToBeginIsToldInTheColumnBelowTheText) {
+  int told = 0;
+  for (const auto& [size, scale] : kShown) {
+    session.set_visited({});
+    for (int i = 0; i < 3; ++i)
+      ASSERT_TRUE(screen->draw(session, {.size = size, .scale = scale, .seconds = 0.02}));
+    const Image with = screen->read();
+    session.set_visited({session.lesson().stages[1].id});
+    for (int i = 0; i < 3; ++i)
+      ASSERT_TRUE(screen->draw(session, {.size = size, .scale = scale, .seconds = 0.02}));
+    const PixelBox words = difference(with, screen->read());
+    if (words.x1 < 0) continue;
+    ++told;
+    const Page& page = screen->page().page();
+    EXPECT_GE(words.x0, page.column.x0 - 1) << size.width;
+    EXPECT_LE(words.x1, page.column.x1 + 1) << size.width;
+    for (std::size_t i = 0; i < page.column_texts; ++i)
+      EXPECT_LT(page.sheet.texts[i].at.y() + page.sheet.texts[i].list.depth, words.y0) << size.width;
+  }
+  EXPECT_GT(told, 1);
+}
+
+// 2026-11-28: with large controls the mark of how far the text is scrolled stood in the figure.
+TEST_F(StillPageTest, TheMarkOfScrollingIsBetweenTextAndFigure) {
+  for (const double text_scale : {1.0, 1.5})
+    for (const auto& [size, scale] : kShown) {
+      session.preferences.text_scale = text_scale;
+      session.go_to({0, 3});
+      const auto draw = [&] {
+        for (int i = 0; i < 3; ++i)
+          ASSERT_TRUE(screen->draw(session, {.size = size, .scale = scale, .seconds = 0.02}));
+      };
+      draw();
+      const Image before = screen->read();
+      screen->press(session, "K");
+      draw();
+      if (screen->page().page().overflow <= 0) continue;
+      const Page& page = screen->page().page();
+      if (page.ceiling <= 0)
+        EXPECT_LT(difference(before, screen->read()).x1, page.meters.x0) << size.width << ' ' << scale;
+    }
 }
 
 }  // namespace

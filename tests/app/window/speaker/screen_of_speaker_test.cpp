@@ -203,5 +203,29 @@ TEST_F(SpeakerTest, CountsTheTime) {
   EXPECT_GT(speaker->seconds_to_wake(), 0);
 }
 
+// 2026-11-28: "changed by hand, undo, back" stood on the audience's page.
+TEST_F(SpeakerTest, HasTheChipOfAChangeAndTheAudienceHasNot) {
+  const auto is_shown = [](ImGuiContext* imgui) {
+    ImGui::SetCurrentContext(imgui);
+    const ImGuiWindow* chip = ImGui::FindWindowByName("changed-scene");
+    return chip != nullptr && chip->Active;
+  };
+  for (bool more = true; more && !session.has_scene(); more = session.next_step()) {
+  }
+  ASSERT_TRUE(session.has_scene());
+  both();
+  EXPECT_FALSE(is_shown(speaker->imgui()));
+  SceneEdits edits = session.edits();
+  edits.w0_B = Vec3(1, 2, 3);
+  ASSERT_TRUE(session.set_edits(edits));
+  both();
+  EXPECT_TRUE(is_shown(speaker->imgui()));
+  EXPECT_FALSE(is_shown(screen->imgui()));
+  session.set_speaker(false);
+  ImGui::SetCurrentContext(screen->imgui());
+  frame(3);
+  EXPECT_TRUE(is_shown(screen->imgui())) << "there is no other place for it";
+}
+
 }  // namespace
 }  // namespace polhode
