@@ -10,7 +10,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <string_view>
 #include <vector>
 
 namespace polhode {
@@ -41,17 +44,58 @@ std::string shown_words(const OverlaySet& show, const std::vector<std::string>& 
   return words.empty() ? last : fmt::format("{}{}{}", fmt::join(words, ", "), words::kAnd.in(language), last);
 }
 
-std::string moment_words(const PrincipalMoments& I, const Vec3& w_B, double t_s, Language language) {
-  const Vec3 L_B = angular_momentum_B(I, w_B);
-  const double angle_deg = angle_between(w_B, L_B) * kDegreesPerRadian;
+/// As an overlay, or as an arrow of the lesson.
+bool draws(const Scene& scene, Overlay vector) {
+  const auto is_it = [vector](const ArrowMark& arrow) { return arrow.of.overlay == vector; };
+  const std::vector<ArrowMark>& arrows = scene.marks.arrows;
+  return drawn_overlays(scene).contains(vector) ||
+         (draws_marks(scene) && std::any_of(arrows.begin(), arrows.end(), is_it));
+}
+
+std::string moment_words(const Scene& scene, const Vec3& w_B, double t_s) {
+  const Language language = scene.language;
   std::string text =
       words::kBodyTurnsAt.with(language, {fmt::format("{:.4g}", t_s), fmt::format("{:.3g}", w_B.norm())});
-  constexpr double kParallel_deg = 1e-6;  // what rounding leaves
-  if (!w_B.isZero(0.0))
+  if (!w_B.isZero(0.0) && draws(scene, Overlay::omega) && draws(scene, Overlay::L)) {
+    const Vec3 L_B = angular_momentum_B(scene.body.moments, w_B);
+    const double angle_deg = angle_between(w_B, L_B) * kDegreesPerRadian;
+    constexpr double kParallel_deg = 1e-6;  // what rounding leaves
     text += angle_deg < kParallel_deg
                 ? std::string(words::kOmegaAlongL.in(language))
                 : words::kOmegaAwayFromL.with(language, {fmt::format("{:.2g}", angle_deg)});
+  }
   return with_decimals(text + '.', language);
+}
+
+/// Of one of the scenes that a model shows.
+std::string change_in_words(const SceneModel& model, double from_s, double t_s) {
+  const Scene& scene = model.scene;
+  const Language language = scene.language;
+  std::string text;
+  const auto add = [&](const Phrase& phrase, std::initializer_list<std::string_view> parts) {
+    text += (text.empty() ? "" : " ") + with_decimals(phrase.with(language, parts), language);
+  };
+  const bool is_seen_from_space =
+      std::find(scene.views.begin(), scene.views.end(), View::space) != scene.views.end();
+  if (t_s != from_s && is_seen_from_space && model.needs.attitude) {
+    const Quat from_SB = model.motion->at(from_s).q_SB, now_SB = model.motion->at(t_s).q_SB;
+    const auto turned = [&](const Vec3& axis_B) {
+      return fmt::format("{:.0f}",
+                         angle_between(Vec3(from_SB * axis_B), Vec3(now_SB * axis_B)) * kDegreesPerRadian);
+    };
+    add(words::kAxesPoint,
+        {fmt::format("{:.4g}", from_s), turned(Vec3::UnitX()), turned(Vec3::UnitY()), turned(Vec3::UnitZ())});
+  }
+  if (draws(scene, Overlay::omega)) {
+    const Vec3 w_B = model.motion->w_B_at(t_s);
+    const double last = 1e-3 * w_B.norm();  // what no reader could see is 0
+    const auto component = [&](int i) {
+      return (w_B[i] < -last ? "−" : "") +
+             fmt::format("{:.3g}", std::abs(w_B[i]) < last ? 0.0 : std::abs(w_B[i]));
+    };
+    add(words::kOmegaInBody, {component(0), component(1), component(2)});
+  }
+  return text;
 }
 
 }  // namespace
@@ -74,7 +118,11 @@ std::string alt_text(const Scene& scene, const SceneInWords& said, const Vec3& w
   // What a body is called in lessons are English words.
   const std::string name = language == Language::en ? '"' + scene.body.name + "\" " : "";
   text += words::kTheBodyIs.with(language, {name, moment(0), moment(1), moment(2)});
-  return text + moment_words(scene.body.moments, w_B, t_s, language);
+  if (said.is_asked) {
+    text.pop_back();
+    return text;
+  }
+  return text + moment_words(scene, w_B, t_s);
 }
 
 std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& said, double t_s) {
@@ -86,6 +134,22 @@ std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& s
           (i > 0 ? " " : "") + words::kSceneOf.with(shown[i]->scene.language,
                                                     {std::to_string(i + 1), std::to_string(shown.size())});
     text += alt_text(shown[i]->scene, said[i], shown[i]->motion->w_B_at(t_s), t_s);
+  }
+  return text;
+}
+
+std::string moment_in_words(const SceneModel& model, double from_s, double t_s) {
+  const std::vector<const SceneModel*> shown = shown_models(model);
+  const Language language = model.scene.language;
+  std::string text =
+      t_s == from_s ? ""
+                    : with_decimals(words::kTheSameAt.with(language, {fmt::format("{:.4g}", t_s)}), language);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const std::string change = change_in_words(*shown[i], from_s, t_s);
+    if (change.empty()) continue;
+    if (!text.empty()) text += ' ';
+    if (shown.size() > 1) text += words::kScene.with(language, {std::to_string(i + 1)});
+    text += change;
   }
   return text;
 }

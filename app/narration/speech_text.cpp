@@ -16,6 +16,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 namespace polhode {
 
@@ -42,22 +43,6 @@ bool same_letters(std::string_view a, std::string_view b) {
                     [&](char x, char y) { return lower(x) == lower(y); });
 }
 
-/// Prose often names a quantity before its symbol: "the angular velocity" and "angular velocity" are one. The
-/// symbol's words without those that the text ends with.
-std::string_view unsaid_part(std::string_view text, std::string_view symbol) {
-  constexpr std::size_t kShortest = 3;  // "S" may well follow "S"
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  for (std::size_t end = symbol.size(); end >= kShortest; end = symbol.rfind(' ', end - 1)) {
-    if (end == std::string_view::npos) break;
-    const std::string_view begin = symbol.substr(0, end);
-    if (begin.size() > text.size()) continue;
-    const std::string_view tail = text.substr(text.size() - begin.size());
-    const bool whole_words = tail.size() == text.size() || text[text.size() - tail.size() - 1] == ' ';
-    if (whole_words && same_letters(tail, begin)) return symbol.substr(std::min(end + 1, symbol.size()));
-  }
-  return symbol;
-}
-
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 
 /// Omega is another quantity than omega.
@@ -68,17 +53,51 @@ bool is_greek(std::string_view words) {
   return false;
 }
 
+/// Whether its last word is this one, whatever its first letter.
+bool ends_with_word(std::string_view text, std::string_view word) {
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  if (text.size() < word.size() || !same_letters(text.substr(text.size() - word.size()), word)) return false;
+  return text.size() == word.size() || text[text.size() - word.size() - 1] == ' ';
+}
+
 /// At the start of a sentence a word, which a single letter is not, has a capital; a text may be one or not.
-void add_symbol(std::string& text, std::string_view words, bool begins_sentence = true) {
-  const std::string_view rest = unsaid_part(text, words);
-  if (rest.empty() && text.ends_with(' ')) text.pop_back();
-  const bool is_word = rest.size() > 1 && is_lower(rest[0]) && is_lower(rest[1]) && !is_greek(rest);
+void add_formula(std::string& text, std::string_view words, bool begins_sentence = true) {
+  const bool is_word = words.size() > 1 && is_lower(words[0]) && is_lower(words[1]) && !is_greek(words);
   const bool begins = text.empty() ? begins_sentence : text.ends_with(". ");
-  text += rest;
+  text += words;
   if (is_word && begins) {
-    char& first = text[text.size() - rest.size()];
+    char& first = text[text.size() - words.size()];
     first = static_cast<char>(first - 'a' + 'A');
   }
+}
+
+/// What a lesson calls a quantity. A name that is no more than the letter of a vector tells it from its
+/// magnitude: L is "vector L" then, while "angular momentum" stays.
+std::string name_in_words(const Symbol& symbol, Language language) {
+  std::string letters = spoken(symbol.math, {}, {});
+  const bool is_letter = letters == fmt::format("{} {}", words::kVector.in(language), symbol.say);
+  return is_letter ? letters : symbol.say;
+}
+
+/// Whether a vector is made for the picture alone, as a place for a name: no reader knows it, and what it is
+/// made of is arithmetic, with numbers, lengths and components.
+bool is_made_for_picture(const MarkVector& vector) {
+  constexpr std::array<std::string_view, 4> kOfVectors = {"cross", "ddt", "star", "inertia"};
+  const std::string_view text = vector.quantity.text;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]) || text[end] == '_')) ++end;
+    if (end == at) {
+      ++at;
+      continue;
+    }
+    const std::string_view word = text.substr(at, end - at);
+    const bool is_function = end < text.size() && text[end] == '(';
+    if (is_digit(word.front())) return true;
+    if (is_function && std::find(kOfVectors.begin(), kOfVectors.end(), word) == kOfVectors.end()) return true;
+    at = end;
+  }
+  return false;
 }
 
 /// Those from `first` on stand so many bytes behind where they stood.
@@ -98,7 +117,10 @@ void add(std::string& text, const std::string& more) {
 
 SpeechText::SpeechText(const Lesson& lesson, Effort effort)
     : lesson_(lesson), steps_of_numbers_(lesson.numbers.size()), stills_(std::move(effort)) {
-  for (const auto& [name, symbol] : lesson.symbols) symbols_.push_back({name, symbol.math, {}});
+  for (const auto& [name, symbol] : lesson.symbols) {
+    symbols_.push_back({name, symbol.math, {}});
+    names_.emplace(name, name_in_words(symbol, language()));
+  }
   const auto belong_to = [&](const Step& step, const std::vector<int>& ids) {
     for (const int id : ids)
       if (const Step*& known = steps_of_numbers_[static_cast<std::size_t>(id)]; known == nullptr)
@@ -134,13 +156,24 @@ std::string SpeechText::number_in_words(double value) const {
   return with_decimals(fmt::format("{:.4g}", value), language());
 }
 
-std::string SpeechText::words(const Math& math) const { return words(math, nullptr); }
+std::string SpeechText::words(const Math& math) const {
+  return spoken(with_spoken_numbers(math, nullptr), symbols_,
+                [this](std::string_view name) { return names_.at(std::string(name)); });
+}
 
-std::string SpeechText::words(const Math& math, const StillNumbers::Values* numbers) const {
-  return spoken(with_spoken_numbers(math, numbers), symbols_, [this](std::string_view name) {
-    const auto found = lesson_.symbols.find(std::string(name));
-    return found == lesson_.symbols.end() ? std::string() : found->second.say;
-  });
+std::string SpeechText::words_in_line(const Math& math, std::string_view before) const {
+  return words_in_line(math, before, nullptr);
+}
+
+std::string SpeechText::words_in_line(const Math& math, std::string_view before,
+                                      const StillNumbers::Values* numbers) const {
+  Math numbered = with_spoken_numbers(math, numbers);
+  numbered.language = language();  // formulas that the program makes know none
+  std::string said = spoken(numbered, {}, {});
+  const std::string_view vector = words::kVector.in(language());
+  if (said.starts_with(vector) && ends_with_word(before, vector))
+    said.erase(0, std::min(vector.size() + 1, said.size()));
+  return said;
 }
 
 std::string SpeechText::words(const TextBlock& block, std::vector<NoteLink>* links) const {
@@ -177,7 +210,7 @@ std::string SpeechText::words(const std::vector<TextSpan>& spans, std::vector<No
   for (const TextSpan& span : spans) {
     const std::size_t begin = text.size();
     if (span.kind == TextSpan::Kind::math)
-      add_symbol(text, words(span.math), is_sentence);
+      add_formula(text, words_in_line(span.math, text), is_sentence);
     else
       text += span.text;
     if (links != nullptr && !span.link.empty()) {
@@ -217,7 +250,7 @@ std::string SpeechText::words_of_line(const std::string& line) const {
     text += line.substr(at, begin == line.npos ? begin : begin - at);
     if (end == line.npos) return text;
     if (const auto math = parse_math(line.substr(begin + 1, end - begin - 1), {}, language()))
-      text += words(*math);
+      text += words_in_line(*math, text);
     at = end + 1;
   }
 }
@@ -286,8 +319,9 @@ std::string SpeechText::words_of_caption(const Step& step, std::size_t shown) co
   std::string text;
   for_each_span(*caption, [&](const TextSpan& span) {
     if (span.kind == TextSpan::Kind::math)
-      add_symbol(text, words(span.math,
-                             span.math.live.empty() ? nullptr : &stills_.of_caption(lesson_, step, shown)));
+      add_formula(
+          text, words_in_line(span.math, text,
+                              span.math.live.empty() ? nullptr : &stills_.of_caption(lesson_, step, shown)));
     else
       text += span.text;
   });
@@ -313,7 +347,9 @@ std::vector<SceneInWords> SpeechText::words_of_scenes(const Step& step, const Sc
   std::vector<std::string> captions = captions_in_words(step, shown);
   std::vector<SceneInWords> all;
   for (std::size_t i = 0; i < scenes.size(); ++i)
-    all.push_back({std::move(captions[i]), marks_in_words(*scenes[i])});
+    all.push_back({.caption = std::move(captions[i]),
+                   .marks = marks_in_words(*scenes[i]),
+                   .is_asked = !blocks_of<Ask>(step).empty()});
   return all;
 }
 
@@ -379,37 +415,89 @@ std::string SpeechText::words_of_tex(const std::string& tex) const {
   return math ? words(*math) : tex;
 }
 
+std::string SpeechText::words_of_vector(const MarkVector& vector) const {
+  const auto own = lesson_.symbols.find(vector.quantity.text);
+  if (own != lesson_.symbols.end() && own->second.tex.empty()) return own->second.say;
+  return is_made_for_picture(vector) ? "" : words_of_tex(vector.quantity.tex);
+}
+
 std::vector<std::string> SpeechText::marks_in_words(const Scene& scene) const {
   std::vector<std::string> all;
   if (draws_poses(scene))
     all.push_back((scene.poses.count == 1 ? words::kBodyAtEarlierInstant : words::kBodyAtEarlierInstants)
                       .with(language(), {std::to_string(scene.poses.count)}));
   if (!draws_marks(scene)) return all;
-  const auto name = [this](const MarkVector& vector) { return words_of_tex(vector.quantity.tex); };
-  const auto at_tip = [&](const std::optional<MarkVector>& vector, const Phrase& where = words::kAtTheTipOf) {
-    return vector ? where.with(language(), {name(*vector)}) : std::string();
+  // Those without words, of which nothing is named, are counted.
+  const auto add = [&](const auto& marks, const auto& words_of, const Phrase& one, const Phrase& several) {
+    std::size_t count = 0;
+    for (const auto& mark : marks)
+      if (std::string words = words_of(mark); words.empty())
+        ++count;
+      else
+        all.push_back(std::move(words));
+    if (count > 0) all.push_back((count == 1 ? one : several).with(language(), {std::to_string(count)}));
   };
-  for (const TrailMark& trail : scene.marks.trails)
-    all.push_back(trail.on_sphere ? words::kTrailOnSphere.with(language(), {name(trail.of)})
-                                  : words::kTrailOfTip.with(language(), {name(trail.of)}));
-  for (const ArrowMark& arrow : scene.marks.arrows) {
-    const bool is_named = arrow.tex && !arrow.tex->empty();
-    all.push_back(words::kArrowOf.with(
-        language(), {is_named ? words_of_tex(*arrow.tex) : name(arrow.of), at_tip(arrow.at)}));
-  }
-  for (const AngleMark& angle : scene.marks.angles)
-    all.push_back(
-        words::kAngleFromTo.with(language(), {angle.tex.empty() ? "" : words_of_tex(angle.tex) + ' ',
-                                              name(angle.from), name(angle.to)}) +
-        at_tip(angle.at));
-  for (const AreaMark& area : scene.marks.areas)
-    all.push_back(words::kParallelogramOf.with(
-        language(), {area.tex.empty() ? "" : words_of_tex(area.tex) + ' ', name(area.from), name(area.to)}));
-  for (const LineMark& line : scene.marks.lines)
-    all.push_back(words::kLineFromTo.with(language(), {name(line.from), name(line.to)}));
-  for (const PlaneMark& plane : scene.marks.planes)
-    all.push_back(words::kPlaneNormalTo.with(
-        language(), {name(plane.normal), at_tip(plane.through, words::kThroughTheTipOf)}));
+  const auto name = [this](const MarkVector& vector) { return words_of_vector(vector); };
+  const auto at_tip = [&](const std::optional<MarkVector>& vector, const Phrase& where = words::kAtTheTipOf) {
+    const std::string of = vector ? name(*vector) : "";
+    return of.empty() ? of : where.with(language(), {of});
+  };
+  /// "the angle theta from … to …", "the angle theta", or nothing.
+  const auto between = [&](const Phrase& named, const Phrase& whole, const std::string& tex,
+                           const MarkVector& from, const MarkVector& to) {
+    const std::string own = tex.empty() ? "" : words_of_tex(tex), a = name(from), b = name(to);
+    if (!a.empty() && !b.empty()) return whole.with(language(), {own.empty() ? "" : own + ' ', a, b});
+    return own.empty() ? own : named.with(language(), {own});
+  };
+  add(
+      scene.marks.trails,
+      [&](const TrailMark& trail) {
+        const std::string of = name(trail.of);
+        return of.empty()
+                   ? of
+                   : (trail.on_sphere ? words::kTrailOnSphere : words::kTrailOfTip).with(language(), {of});
+      },
+      words::kATrail, words::kTrails);
+  add(
+      scene.marks.arrows,
+      [&](const ArrowMark& arrow) {
+        const bool is_named = arrow.tex && !arrow.tex->empty();
+        const std::string of = is_named ? words_of_tex(*arrow.tex) : name(arrow.of);
+        return of.empty() ? of : words::kArrowOf.with(language(), {of, at_tip(arrow.at)});
+      },
+      words::kAnArrow, words::kArrows);
+  add(
+      scene.marks.angles,
+      [&](const AngleMark& angle) {
+        const std::string said =
+            between(words::kTheAngle, words::kAngleFromTo, angle.tex, angle.from, angle.to);
+        return said.empty() ? said : said + at_tip(angle.at);
+      },
+      words::kAnAngle, words::kAngles);
+  add(
+      scene.marks.areas,
+      [&](const AreaMark& area) {
+        return between(words::kTheParallelogram, words::kParallelogramOf, area.tex, area.from, area.to);
+      },
+      words::kAParallelogram, words::kParallelograms);
+  add(
+      scene.marks.lines,
+      [&](const LineMark& line) {
+        const std::string from = name(line.from), to = name(line.to);
+        if (!from.empty() && !to.empty()) return words::kLineFromTo.with(language(), {from, to});
+        const std::string& end = from.empty() ? to : from;
+        return end.empty() ? end : words::kLineAt.with(language(), {end});
+      },
+      words::kALine, words::kLines);
+  add(
+      scene.marks.planes,
+      [&](const PlaneMark& plane) {
+        const std::string normal = name(plane.normal);
+        return normal.empty() ? normal
+                              : words::kPlaneNormalTo.with(
+                                    language(), {normal, at_tip(plane.through, words::kThroughTheTipOf)});
+      },
+      words::kAPlane, words::kPlanes);
   for (const NoteMark& note : scene.marks.notes)
     all.push_back(words::kTheNote.with(language(), {words_of_line(note.text), at_tip(note.at)}));
   return all;

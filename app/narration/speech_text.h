@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Lessons as they would be read aloud: for alternative texts and transcripts. Formulas are in words, symbols
-// as the lesson's `say` has them, and computed numbers those of the stills of their steps.
+// Lessons as they would be read aloud: for alternative texts and transcripts. Formulas are in words: symbols
+// by their letters in lines of text, as the lesson's `say` has them in equations and in what figures show.
+// Computed numbers are those of the stills of their steps.
 #pragma once
 
 #include "app/narration/alt_text.h"
@@ -8,7 +9,9 @@
 #include "app/narration/still_numbers.h"
 #include "lessons/reader/lesson.h"
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace polhode {
@@ -27,7 +30,13 @@ class SpeechText {
   /// A phrase in the lesson's language: "Question: ".
   std::string opening(const Phrase& phrase) const { return std::string(phrase.in(lesson_.about.language)); }
 
+  /// Of a formula that stands by itself: symbols are what the lesson calls them, "angular momentum". A
+  /// vector whose name is no more than its letter is "vector L".
   std::string words(const Math& math) const;
+  /// Of a formula in a line of text: symbols are their letters, as they are printed, for the words of the
+  /// line say what they are: "the angular momentum vector L". `before` is the line as far as there; behind
+  /// "the vector" it is not said again that it is one.
+  std::string words_in_line(const Math& math, std::string_view before = {}) const;
   /// Paragraphs and items of lists one after the other, in one line.
   /// `links`, if it is not null, gets those of the text, where they stand in what is returned.
   std::string words(const RichText& text, std::vector<NoteLink>* links = nullptr) const;
@@ -73,15 +82,19 @@ class SpeechText {
   std::vector<std::string> marks_in_words(const Scene& scene) const;
   std::vector<std::string> captions_in_words(const Step& step, const Scene& shown) const;
   std::string words_of_tex(const std::string& tex) const;
+  /// Empty: what it is made of says nothing to a reader.
+  std::string words_of_vector(const MarkVector& vector) const;
   std::string words(const std::vector<TextSpan>& spans, std::vector<NoteLink>* links,
                     bool is_sentence = true) const;
   std::string words_of_caption(const Step& step, std::size_t shown) const;
   /// With these numbers; null: each as on the still of its own step.
-  std::string words(const Math& math, const StillNumbers::Values* numbers) const;
+  std::string words_in_line(const Math& math, std::string_view before,
+                            const StillNumbers::Values* numbers) const;
   Math with_spoken_numbers(const Math& math, const StillNumbers::Values* numbers) const;
 
   const Lesson& lesson_;
   std::vector<MathSymbol> symbols_;
+  std::map<std::string, std::string> names_;   ///< what is said of each symbol; empty: nothing
   std::vector<const Step*> steps_of_numbers_;  ///< by their ids
   mutable StillNumbers stills_;                ///< computed when they are first spoken
 };

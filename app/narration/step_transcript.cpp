@@ -35,7 +35,7 @@ class Notes {
     const std::string words = speech_.words(callout, &links);
     add(callout.kind == Callout::Kind::notes ? Kind::to_say : Kind::callout, "", words, std::move(links));
   }
-  void add(const Claim&) {}
+  void add(const Claim& claim) { add(Kind::text, speech_.words(claim, scene_)); }
   void add(const Footnote& note) {
     std::vector<NoteLink> links;
     const std::string words = speech_.words(note.text, &links);
@@ -49,6 +49,9 @@ class Notes {
   void add(const FigureWords& figure) { add(Kind::figure, figure.opening + figure.caption); }
   void add_title(std::string words) { add(Kind::text, std::move(words)); }
   void add_plots(const std::string& words) { add(Kind::figure, speech_.opening(words::kPlotted) + words); }
+
+  /// Of the claims that are added from now on; null: there is none.
+  void set_scene(const Scene* scene) { scene_ = scene; }
 
   std::vector<StepNote> take() { return std::move(notes_); }
 
@@ -66,6 +69,7 @@ class Notes {
   }
 
   const SpeechText& speech_;
+  const Scene* scene_ = nullptr;
   std::vector<StepNote> notes_;
 };
 
@@ -76,6 +80,7 @@ std::vector<StepNote> notes_of(const SpeechText& speech, const Stage& stage, int
   const auto begin = static_cast<std::size_t>(first - 1), end = static_cast<std::size_t>(last);
   for (std::size_t i = begin; i < end; ++i) {
     const Step& step = stage.steps[i];
+    notes.set_scene(step.scene.get());
     for (const Callout& note : step.notes) notes.add(note);
     notes.add_title(speech.words(step.title));
     for (const Block& block : step.blocks) std::visit([&](const auto& b) { notes.add(b); }, block);

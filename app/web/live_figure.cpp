@@ -7,6 +7,7 @@
 #include "app/session/camera_moves.h"
 #include "app/session/command.h"
 #include "base/numbers.h"
+#include "base/words/speech_words.h"
 #include "lessons/reader/reader.h"
 #include "physics/method.h"
 #include "render/gl/framebuffer.h"
@@ -471,7 +472,8 @@ const AccuracyReading& LiveFigure::accuracy() {
 std::string LiveFigure::alt_text_now() {
   const Scene& scene = model()->scene;
   std::string said = alt_text(*model(), speech_->words_of_scenes(session_->step(), scene), session_->t_s());
-  if (const std::string plots = speech_->words_of_plots(scene); !plots.empty()) said += " Plotted: " + plots;
+  if (const std::string plots = speech_->words_of_plots(scene); !plots.empty())
+    said += ' ' + speech_->opening(words::kPlotted) + plots;
   return said;
 }
 

@@ -3,6 +3,7 @@
 "use strict";
 (() => {
   const plain = (text) => text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
+  const said = JSON.parse(document.body.dataset.words);
   const form = document.getElementById("search");
   const sought = document.getElementById("sought");
   const found = document.getElementById("found");
@@ -26,7 +27,7 @@
       details.classList.toggle("empty", here === 0);
       count += here;
     }
-    found.textContent = !isSearching ? "" : count === 0 ? "Nothing found." : count === 1 ? "1 place" : `${count} places`;
+    found.textContent = !isSearching ? "" : count === 0 ? said.nothing : count === 1 ? said.one : said.several.replace("{0}", count);
   };
 
   sought.addEventListener("input", show);

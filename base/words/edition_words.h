@@ -34,7 +34,6 @@ inline constexpr Phrase kToWithinText{"to within {0}", "auf {0} genau"};
 inline constexpr Phrase kPlace{"place", "Platz"};
 inline constexpr Phrase kReplyTo{"To {0}:", "Zu {0}:"};
 inline constexpr Phrase kTyped{"{0}, typed {1}", "{0}, eingegeben {1}"};
-inline constexpr Phrase kThen{" then ", " dann "};
 inline constexpr Phrase kForExampleTyped{"For example {0}", "Zum Beispiel {0}"};
 
 // What the page's script says, by the names it asks for.
@@ -53,5 +52,32 @@ inline constexpr auto kEditionScript = std::to_array<NamedPhrase>({
     {"larger", {"Larger", "Größer"}},
     {"smaller", {"Smaller", "Kleiner"}},
 });
+
+// The index of a site, in the language of its first lesson.
+inline constexpr Phrase kSiteTitle{"Lectures on the rotation of a rigid body",
+                                   "Vorlesungen über die Rotation starrer Körper"};
+inline constexpr Phrase kSiteLead{
+    "Each equation stands beside a body that moves by it, and below it whether it was proved. The pages can "
+    "be read on any screen, by a screen reader, without network and without script.",
+    "Neben jeder Gleichung steht ein Körper, der sich nach ihr bewegt, und unter ihr, ob sie bewiesen ist. "
+    "Die Seiten lassen sich auf jedem Bildschirm und mit einer Sprachausgabe lesen, ohne Netz und Skript."};
+inline constexpr Phrase kToTheLessons{"To the lessons", "Zu den Lektionen"};
+inline constexpr Phrase kFindHeading{"Find a heading or an equation",
+                                     "Eine Überschrift oder Gleichung suchen"};
+inline constexpr Phrase kHeadingsAndEquations{"Headings and equations", "Überschriften und Gleichungen"};
+inline constexpr Phrase kThrowABody{
+    "<a href=\"{0}\">Throw a body</a> yourself: choose it, start it, and see how it turns.",
+    "Selbst <a href=\"{0}\">einen Körper werfen</a>: ihn wählen, ihm einen Anstoß geben und sehen, wie er "
+    "sich dreht."};
+inline constexpr Phrase kToTakeAlong{"To take along: {0}", "Zum Mitnehmen: {0}"};
+inline constexpr Phrase kSlidesForBrowsers{"slides for a browser", "Folien für den Browser"};
+inline constexpr Phrase kSlidesAsPdf{"slides as PDF", "Folien als PDF"};
+inline constexpr Phrase kSlidesForPrograms{"slides for PowerPoint and LibreOffice",
+                                           "Folien für PowerPoint und LibreOffice"};
+inline constexpr Phrase kAFilm{"a film", "ein Film"};
+// What its script says.
+inline constexpr Phrase kNothingFound{"Nothing found.", "Nichts gefunden."};
+inline constexpr Phrase kOnePlace{"1 place", "1 Stelle"};
+inline constexpr Phrase kPlaces{"{0} places", "{0} Stellen"};
 
 }  // namespace polhode::words

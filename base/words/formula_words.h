@@ -117,7 +117,10 @@ inline constexpr Phrase kBar{"bar", "quer"};
 inline constexpr Phrase kUnderlined{"underlined", "unterstrichen"};
 inline constexpr Phrase kCapital{"capital {0}", "groß {0}"};
 
+/// Between numbers; between vectors × and ⋅ have the words of kSigns.
+inline constexpr Phrase kTimes{"times", "mal"};
 inline constexpr Phrase kMagnitudeOf{"the magnitude of", "Betrag von"};
+inline constexpr Phrase kEndOfMagnitude{"end of magnitude", "Ende des Betrags"};
 inline constexpr Phrase kItsValueNow{"its value now", "aktueller Wert"};
 inline constexpr Phrase kDegrees{"degrees", "Grad"};
 inline constexpr Phrase kStruckOut{"struck out", "durchgestrichen"};
@@ -132,6 +135,7 @@ inline constexpr Phrase kSquared{"squared", "Quadrat"};
 inline constexpr Phrase kCubed{"cubed", "hoch 3"};
 inline constexpr Phrase kInverse{"inverse", "hoch minus 1"};
 inline constexpr Phrase kToThePower{"to the power", "hoch"};
+inline constexpr Phrase kEndOfPower{"end of power", "Ende des Exponenten"};
 inline constexpr Phrase kOver{"over", "durch"};      ///< of a fraction
 inline constexpr Phrase kLimitOver{"over", "über"};  ///< of a sum
 inline constexpr Phrase kLimitFrom{"from", "von"};

@@ -21,6 +21,7 @@
 #include "base/printable.h"
 #include "base/sha256.h"
 #include "base/shell_line.h"
+#include "lessons/reader/reader.h"
 
 #include <fmt/format.h>
 
@@ -286,6 +287,25 @@ ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& opti
   return ExitCode::done;
 }
 
+/// Of the lessons among them that can be read, in the language of this one where there is such a translation.
+std::map<std::string, std::string> titles_of_prerequisites(const Lesson& lesson) {
+  std::map<std::string, std::string> titles;
+  for (const FoundLesson& found : lessons_and_translations_in(lesson_folders())) {
+    const auto is_it = [&](const std::string& line) {
+      return found.id == line || found.id == page_name(line, lesson.about.language);
+    };
+    const std::vector<std::string>& lines = lesson.about.prerequisites;
+    const auto line = std::find_if(lines.begin(), lines.end(), is_it);
+    if (line == lines.end()) continue;
+    const Outcome<std::string> text = read_lesson_text(found.path);
+    if (!text) continue;
+    // A translation stands behind its original.
+    if (const LessonReading other = read_lesson(*text, found.path.string()); other.lesson)
+      titles[*line] = other.lesson->title;
+  }
+  return titles;
+}
+
 /// What is drawn goes into the file as it is made, so there is nothing to go on with after a stop.
 ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
   for (const std::string& id : out.stages) static_cast<void>(stage_of(loaded.lesson, id));
@@ -303,6 +323,7 @@ ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
                               .stages = out.stages,
                               .look = {out.theme, out.quality, out.in_both_themes},
                               .place = {},
+                              .titles = titles_of_prerequisites(loaded.lesson),
                               .live = live};
   const std::size_t count = steps_of(edition);
   ReaderEnd end = ReaderEnd::stopped;

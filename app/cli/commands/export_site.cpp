@@ -12,6 +12,7 @@
 #include "app/publish/site/site_record.h"
 #include "base/files/file_bytes.h"
 #include "base/sha256.h"
+#include "base/words/edition_words.h"
 
 #include <fmt/format.h>
 
@@ -64,13 +65,13 @@ std::vector<LoadedLesson> lessons_of(const TypedExport& typed) {
 
 struct CopyKind {
   const char* ending;  ///< behind the lesson's id
-  const char* words;
+  Phrase words;
 };
 const CopyKind& kind_of(SiteCopy copy) {
-  static constexpr CopyKind kKinds[] = {{"-slides.html", "slides for a browser"},
-                                        {".pdf", "slides as PDF"},
-                                        {".pptx", "slides for PowerPoint and LibreOffice"},
-                                        {".mp4", "a film"}};
+  static constexpr CopyKind kKinds[] = {{"-slides.html", words::kSlidesForBrowsers},
+                                        {".pdf", words::kSlidesAsPdf},
+                                        {".pptx", words::kSlidesForPrograms},
+                                        {".mp4", words::kAFilm}};
   return kKinds[static_cast<std::size_t>(copy)];
 }
 
@@ -110,7 +111,7 @@ ExitCode make_copies(const LoadedLesson& loaded, const SiteOutput& out, const st
       record[name] = {made_of, sha256_hex(or_fail(read_file_bytes(folder / name)))};
       or_fail(write_site_record(folder, record, out.durability));
     }
-    made.push_back({name, kind_of(copy).words});
+    made.push_back({name, std::string(kind_of(copy).words.in(loaded.lesson.about.language))});
   }
   return ExitCode::done;
 }

@@ -110,6 +110,12 @@ class SiteWriter {
     place.url = site_.url;
     if (first_figure(lesson(i), options_)) place.preview = preview_name(lesson(i));
     ReaderEdition of{.lesson = lesson(i), .look = site_.look, .place = std::move(place)};
+    // The first of an id is that which links lead to.
+    const std::vector<std::string>& lines = lesson(i).about.prerequisites;
+    for (const SiteLesson& one : site_.lessons)
+      if (const Lesson& other = one.loaded.lesson;
+          other.id != lesson(i).id && std::find(lines.begin(), lines.end(), other.id) != lines.end())
+        of.titles.emplace(other.id, other.title);
     if (program_) of.live = LiveParts{*site_.live, site_.lessons[i].text, program_->name};
     return of;
   }
@@ -129,6 +135,7 @@ class SiteWriter {
                                       of.place->next_title,
                                       of.place->url};
     parts.insert(parts.end(), of.place->lessons.begin(), of.place->lessons.end());
+    for (const auto& [id, title] : of.titles) parts.insert(parts.end(), {id, title});
     if (program_)
       parts.insert(parts.end(),
                    {program_->name, live_assets::kLiveCss, live_assets::kLiveJs, live_assets::kFiguresJs});

@@ -19,9 +19,12 @@ namespace polhode {
 
 namespace {
 
-constexpr const char* kLead =
-    "Each equation stands beside a body that moves by it, and below it whether it was proved. The pages can "
-    "be read on any screen, by a screen reader, without network and without script.";
+/// What the page's script says, as JSON.
+std::string words_of_script(Language language) {
+  return fmt::format("{{\"nothing\":\"{}\",\"one\":\"{}\",\"several\":\"{}\"}}",
+                     words::kNothingFound.in(language), words::kOnePlace.in(language),
+                     words::kPlaces.in(language));
+}
 
 /// `lang` of what is in another language than the page.
 std::string language_of(const Lesson& lesson, Language of_page) {
@@ -71,7 +74,9 @@ std::string lesson_html(const std::vector<SiteIndexLesson>& all, std::size_t i) 
     for (const SiteDownload& download : one.downloads)
       links.push_back(
           fmt::format("<a href=\"{}\">{}</a>", html_escaped(download.file), html_escaped(download.words)));
-    html += fmt::format("<p>To take along: {}</p>\n", fmt::join(links, ", "));
+    html += "<p>" +
+            words::kToTakeAlong.with(lesson.about.language, {fmt::format("{}", fmt::join(links, ", "))}) +
+            "</p>\n";
   }
   html += "</div>\n";
   // It says nothing that is not said beside it.
@@ -139,27 +144,31 @@ std::vector<std::size_t> course_order(const std::vector<const Lesson*>& lessons)
 std::string site_index_html(const std::vector<SiteIndexLesson>& lessons, const std::string& url,
                             const std::string& preview, const std::string& sandbox) {
   const std::string style = style_of(lessons), script = std::string("\n") + site_assets::kSiteJs;
+  const Language language = lessons.empty() ? Language::en : lessons.front().lesson.about.language;
+  const auto said = [&](const Phrase& phrase) { return html_escaped(phrase.in(language)); };
   std::string shown;
   for (std::size_t i = 0; i < lessons.size(); ++i) shown += lesson_html(lessons, i);
   const std::map<std::string, std::string> texts = {
-      {"language",
-       std::string(tag_of(lessons.empty() ? Language::en : lessons.front().lesson.about.language))},
+      {"language", std::string(tag_of(language))},
       // Nothing is fetched, and nothing runs but what is written here, whatever the lessons say.
       {"policy",
        fmt::format("default-src 'none'; img-src data:; style-src {}; script-src {}; base-uri 'none'; "
                    "form-action 'none'",
                    policy_hash(style), policy_hash(script))},
       {"program", html_escaped(program_name_and_version())},
-      {"title", html_escaped(kSiteTitle)},
-      {"head", social_head(url, "", kSiteTitle, kLead, preview)},
+      {"title", said(words::kSiteTitle)},
+      {"head", social_head(url, "", std::string(words::kSiteTitle.in(language)),
+                           std::string(words::kSiteLead.in(language)), preview)},
       {"style", style},
-      {"lead", html_escaped(kLead)},
+      {"lead", said(words::kSiteLead)},
+      {"to-the-lessons", said(words::kToTheLessons)},
+      {"find", said(words::kFindHeading)},
+      {"headings", said(words::kHeadingsAndEquations)},
+      {"words", html_escaped(words_of_script(language))},
       {"sandbox",
        sandbox.empty()
            ? ""
-           : fmt::format("<p class=\"lead\"><a href=\"{}\">Throw a body</a> yourself: choose it, start "
-                         "it, and see how it turns.</p>\n",
-                         html_escaped(sandbox))},
+           : "<p class=\"lead\">" + words::kThrowABody.with(language, {html_escaped(sandbox)}) + "</p>\n"},
       {"lessons", shown},
       {"entries", entries_html(lessons)},
       {"script", script},

@@ -28,8 +28,6 @@ struct SiteIndexLesson {
 /// the ids of their first ones. @return places in `lessons`
 std::vector<std::size_t> course_order(const std::vector<const Lesson*>& lessons);
 
-inline constexpr const char* kSiteTitle = "Lectures on the rotation of a rigid body";
-
 /// @param url of the folder on the web, with a slash at its end; may be empty
 /// @param preview file of a picture for the page where it is linked to; may be empty
 /// @param sandbox file of the sandbox (app/publish/live/sandbox_page.h); empty: there is none

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/publish/text_edition/lesson_html.h"
 
+#include "base/ascii.h"
 #include "base/utf8.h"
+#include "lessons/claims/expressions/dimension.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "render/palette.h"
 #include "render/typeset/line_formulas.h"
@@ -75,6 +77,40 @@ std::string kept_together(std::string_view line) {
     html += touched && fits ? fmt::format("<span class=\"word\">{}</span>", word) : std::string(word);
     at = end;
   }
+}
+
+/// As much of a text as is a unit, "kg m²/s" of "kg m²/s, and so on"; 0: it begins with none.
+std::size_t unit_at(std::string_view text) {
+  constexpr std::string_view kEnds = " \n,;:!?)";
+  std::size_t end = 0;
+  for (std::size_t next = 0; next <= text.size();) {
+    next = std::min(text.find_first_of(kEnds, next), text.size());
+    std::string_view unit = text.substr(0, next);
+    if (unit.ends_with('.')) unit.remove_suffix(1);
+    if (unit.empty() || is_digit(unit.front()) || !scaled_unit(unit)) break;
+    end = unit.size();
+    if (next == text.size() || text[next] != ' ') break;
+    ++next;
+  }
+  return end;
+}
+
+/// No line breaks between a number and its unit, nor within that.
+std::string with_units_kept(std::string_view text) {
+  constexpr std::string_view kNoBreak = "\u00A0";
+  std::string kept;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool is_behind_number = text[at] == ' ' && at > 0 && is_digit(text[at - 1]);
+    const std::size_t unit = is_behind_number ? unit_at(text.substr(at + 1)) : 0;
+    if (unit == 0) {
+      kept += text[at];
+      continue;
+    }
+    kept += kNoBreak;
+    for (const char c : text.substr(at + 1, unit)) kept += c == ' ' ? kNoBreak : std::string_view(&c, 1);
+    at += unit;
+  }
+  return kept;
 }
 
 /// The lists that are open, one in an item of the other.
@@ -151,7 +187,17 @@ std::string LessonHtml::address_of(std::string_view link) const {
   return leads_to_the_web(link) ? std::string(link) : "";
 }
 
-std::string LessonHtml::formula(const Math& math, std::string_view tex, bool display) const {
+std::string LessonHtml::formula(const Math& math, std::string_view tex) const {
+  return formula(math, tex, true, speech_.words(math));
+}
+
+std::string LessonHtml::formula_in_line(const Math& math, std::string_view tex,
+                                        std::string_view before) const {
+  return formula(math, tex, false, speech_.words_in_line(math, before));
+}
+
+std::string LessonHtml::formula(const Math& math, std::string_view tex, bool display,
+                                const std::string& words) const {
   if (std::string link = reference_alone(math); !link.empty()) return link;
   const auto class_of = [this](std::string_view name) {
     const auto found = lesson_.symbols.find(std::string(name));
@@ -162,7 +208,7 @@ std::string LessonHtml::formula(const Math& math, std::string_view tex, bool dis
                                                                   .symbols = &symbols_,
                                                                   .class_of = class_of,
                                                                   .address_of = address,
-                                                                  .words = speech_.words(math),
+                                                                  .words = words,
                                                                   .tex = tex_to_copy(math, tex)});
   return !display && signs_of(html) > kMostSigns ? "<span class=\"long\">" + html + "</span>" : html;
 }
@@ -212,13 +258,13 @@ std::string LessonHtml::note_mark(const TextSpan& span) const {
   return {};
 }
 
-std::string LessonHtml::span(const TextSpan& span) const {
+std::string LessonHtml::span(const TextSpan& span, std::string_view before) const {
   std::string html;
   if (span.kind == TextSpan::Kind::math) {
-    html = formula(span.math, span.text);
+    html = formula_in_line(span.math, span.text, before);
   } else {
     html = note_mark(span);
-    if (html.empty()) html = html_escaped(span.text);
+    if (html.empty()) html = html_escaped(span.code ? span.text : with_units_kept(span.text));
   }
   if (span.code) html = "<code>" + html + "</code>";
   if (span.italic) html = "<em>" + html + "</em>";
@@ -227,7 +273,7 @@ std::string LessonHtml::span(const TextSpan& span) const {
 }
 
 std::string LessonHtml::spans(const std::vector<TextSpan>& all) const {
-  std::string html;
+  std::string html, before;
   for (std::size_t i = 0; i < all.size();) {
     const std::string& link = all[i].link;
     const std::string address = link.empty() ? "" : address_of(link);
@@ -235,7 +281,8 @@ std::string LessonHtml::spans(const std::vector<TextSpan>& all) const {
     // One link for all that it holds, a formula too.
     const std::size_t first = i;
     for (; i < all.size() && (i == first || (!address.empty() && all[i].link == link)); ++i) {
-      html += span(all[i]);
+      html += span(all[i], before);
+      before = all[i].kind == TextSpan::Kind::math ? "" : before + all[i].text;
       if (all[i].break_after) html += "<br/>\n";
     }
     if (!address.empty()) html += "</a>";
@@ -297,7 +344,7 @@ std::string LessonHtml::line(std::string_view words) const {
   const auto add_words = [&](std::string_view plain) {
     std::string text(plain);
     for (std::size_t at = 0; (at = text.find("\\$", at)) != text.npos; ++at) text.erase(at, 1);
-    html += html_escaped(text);
+    html += html_escaped(with_units_kept(text));
   };
   std::size_t at = 0;
   for (const SourceSpan& found : formulas_of_line(words)) {
@@ -305,7 +352,7 @@ std::string LessonHtml::line(std::string_view words) const {
     const std::string_view tex = words.substr(found.begin, found.end - found.begin);
     auto math = parse_math(tex, lesson_.macros, lesson_.about.language);
     if (math) math->live.clear();  // only numbers that are shown as they are typed are left in such a line
-    html += math ? formula(*math, tex) : html_escaped(tex);
+    html += math ? formula_in_line(*math, tex, words.substr(0, found.begin - 1)) : html_escaped(tex);
     at = found.end + 1;
   }
   add_words(words.substr(at));

@@ -40,8 +40,10 @@ class LessonHtml {
   LessonHtml(const Lesson& lesson, const SpeechText& speech, const TextNumbers& numbers,
              std::set<std::string> stages);
 
-  /// A formula as a `math` element, with its words, and its TeX to copy.
-  std::string formula(const Math& math, std::string_view tex, bool display = false) const;
+  /// A formula that stands by itself as a `math` element, with its words, and its TeX to copy.
+  std::string formula(const Math& math, std::string_view tex) const;
+  /// One in a line of text; `before` is what stands before it there.
+  std::string formula_in_line(const Math& math, std::string_view tex, std::string_view before = {}) const;
   /// Paragraphs, lists and tables.
   std::string blocks(const RichText& text) const;
   /// What stands within a line. Blocks one after the other, with a blank between.
@@ -61,7 +63,8 @@ class LessonHtml {
 
  private:
   std::string spans(const std::vector<TextSpan>& spans) const;
-  std::string span(const TextSpan& span) const;
+  std::string span(const TextSpan& span, std::string_view before) const;
+  std::string formula(const Math& math, std::string_view tex, bool display, const std::string& words) const;
   std::string tex_to_copy(const Math& math, std::string_view tex) const;
   std::string reference_alone(const Math& math) const;
   std::string note_mark(const TextSpan& span) const;

@@ -137,13 +137,11 @@ class QuestionHtml {
       const std::string number = with_decimals(words_of(*ask_.number), language());
       return number.empty() ? "" : "<p>" + html_escaped(number) + "</p>\n";
     }
-    std::string html = "<p class=\"solution\">";
-    for (std::size_t i = 0; i < ask_.answers.size(); ++i) {
-      const auto choice = static_cast<std::size_t>(ask_.answers[i] - 1);
-      html += i > 0 ? std::string(words::kThen.in(language())) : "";
-      html += choice_text(choice);
-    }
-    return html + "</p>\n";
+    const auto text = [&](int answer) { return choice_text(static_cast<std::size_t>(answer - 1)); };
+    if (ask_.answers.size() == 1) return "<p class=\"solution\">" + text(ask_.answers.front()) + "</p>\n";
+    std::string html = "<ol class=\"solution\">\n";
+    for (const int answer : ask_.answers) html += "<li>" + text(answer) + "</li>\n";
+    return html + "</ol>\n";
   }
 
   std::string worked() const {
@@ -157,7 +155,7 @@ class QuestionHtml {
 
   std::string formula(const std::string& tex) const {
     const auto math = parse_math(tex, html_.lesson().macros, language());
-    return math ? "<div class=\"formula\">" + html_.formula(*math, tex, true) + "</div>" : html_escaped(tex);
+    return math ? "<div class=\"formula\">" + html_.formula(*math, tex) + "</div>" : html_escaped(tex);
   }
 
   std::string state() const {

@@ -23,6 +23,13 @@ ReaderFigures::ReaderFigures(const Lesson& lesson, const SpeechText& speech, Ren
                              const Look& look, const Effort& effort)
     : lesson_(lesson), speech_(speech), renderer_(renderer), look_(look), models_(ModelFor::page, effort) {}
 
+std::vector<SceneInWords> ReaderFigures::words_of_scenes(const Step& step) const {
+  std::vector<SceneInWords> said = speech_.words_of_scenes(step, *step.scene);
+  const std::vector<const Scene*> scenes = shown_scenes(*step.scene);
+  for (std::size_t i = 0; i < said.size(); ++i) said[i].caption = speech_.words_of_line(scenes[i]->label);
+  return said;
+}
+
 Outcome<std::string> ReaderFigures::source(const PageRequest& request) {
   const Page page = compose_picture(request, renderer_.fonts());
   const Result<Image> image = renderer_.draw(page.sheet, page.insets, request.size, ground_of(request.theme));
@@ -53,7 +60,7 @@ Outcome<ReaderPicture> ReaderFigures::moment(const Stage& stage, int step, doubl
     if (!dark) return passed_on(dark);
     made.dark = std::move(dark).value();
   }
-  made.alt = alt_text(model, speech_.words_of_scenes(of, *of.scene), t_s);
+  made.alt = alt_text(model, words_of_scenes(of), t_s);
   if (const std::string plots = speech_.words_of_plots(*of.scene); !plots.empty())
     made.alt += ' ' + speech_.opening(words::kPlotted) + plots;
   return made;
@@ -68,12 +75,19 @@ Outcome<std::vector<ReaderPicture>> ReaderFigures::moments(const Stage& stage, i
                                                            const PlayedInterval& interval) {
   const Size size =
       picture_size_of(model_of(stage.steps[static_cast<std::size_t>(step - 1)]), kReaderMomentWidth);
+  const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];
   std::vector<ReaderPicture> all;
   for (int i = 0; i < kReaderMoments; ++i) {
     const double part = static_cast<double>(i) / (kReaderMoments - 1);
     const double t_s = interval.from_s + part * (interval.to_s - interval.from_s);
     Outcome<ReaderPicture> one = moment(stage, step, t_s, size);
     if (!one) return passed_on(one);
+    // They are the answer: the first is told whole, of the others what has changed.
+    std::string change = moment_in_words(model_of(of), interval.from_s, t_s);
+    if (i > 0)
+      one->alt = std::move(change);
+    else if (!change.empty())
+      one->alt += ' ' + change;
     all.push_back(std::move(one).value());
   }
   return all;

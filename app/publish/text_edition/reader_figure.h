@@ -58,6 +58,8 @@ class ReaderFigures {
   std::vector<std::string> captions(const Step& step);
 
  private:
+  /// Without captions, which stand below the pictures.
+  std::vector<SceneInWords> words_of_scenes(const Step& step) const;
   /// What an `img` shows of it on the ground of a theme.
   Outcome<std::string> source(const PageRequest& request);
 

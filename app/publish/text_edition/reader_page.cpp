@@ -115,7 +115,7 @@ class ReaderText {
     const auto list = [&](const std::string& heading, const std::vector<std::string>& lines) {
       if (lines.empty()) return;
       html += fmt::format("<h2>{}</h2>\n<ul>\n", heading);
-      for (const std::string& line : lines) html += "<li>" + html_escaped(line) + "</li>\n";
+      for (const std::string& line : lines) html += "<li>" + line_or_lesson(line) + "</li>\n";
       html += "</ul>\n";
     };
     list(said(words::kOutcomes), about.outcomes);
@@ -145,7 +145,9 @@ class ReaderText {
         fmt::format("<div class=\"step{}\" id=\"{}\">\n", figure->empty() ? "" : " with-figure",
                     html_escaped(step_id(stage, static_cast<std::size_t>(step))));
     if (!of.title.empty()) html += "<h3>" + html_.line(of.title) + "</h3>\n";
-    return html + "<div class=\"text\">\n" + *text + "</div>\n" + *figure + "</div>\n";
+    // A question is about its figure, which is met before it and its hints.
+    const std::string said = "<div class=\"text\">\n" + *text + "</div>\n";
+    return html + (blocks_of<Ask>(of).empty() ? said + *figure : *figure + said) + "</div>\n";
   }
 
   /// What the lesson cites, at the end.
@@ -175,7 +177,7 @@ class ReaderText {
                          speech_.words(step.title)});
         for (const Equation* equation : blocks_of<Equation>(step))
           all.push_back({ReaderEntry::Kind::equation, equation_id(stage, *equation),
-                         html_.formula(equation->math, equation->tex), speech_.words(*equation)});
+                         html_.formula_in_line(equation->math, equation->tex), speech_.words(*equation)});
       }
     });
     return all;
@@ -189,6 +191,14 @@ class ReaderText {
 
  private:
   Language language() const { return edition_.lesson.about.language; }
+
+  /// A line of the front matter; one that is the id of another lesson is its title, with a link in a site.
+  std::string line_or_lesson(const std::string& line) const {
+    const auto other = edition_.titles.find(line);
+    if (other == edition_.titles.end()) return html_escaped(line);
+    const std::string title = html_escaped(other->second), address = html_.address_of(line);
+    return address.empty() ? title : fmt::format("<a href=\"{}\">{}</a>", html_escaped(address), title);
+  }
   std::string said(const Phrase& phrase) const { return html_escaped(phrase.in(language())); }
   std::string time(double t_s, int digits) const {
     return html_.line(with_decimals(fmt::format("$t$ = {:.{}g} s", t_s, digits), language()));
@@ -215,7 +225,7 @@ class ReaderText {
   std::string equation_html(const Stage& stage, const Step& step, const Equation& equation) {
     const std::string id = html_escaped(equation_id(stage, equation));
     std::string html = fmt::format("<div class=\"equation\" id=\"{}\"><div class=\"formula\">{}</div>", id,
-                                   html_.formula(equation.math, equation.tex, true));
+                                   html_.formula(equation.math, equation.tex));
     if (!equation.tag.empty())
       html += fmt::format(" <a class=\"tag\" href=\"#{}\" aria-label=\"{}\">({})</a>", id,
                           words::kEquationLabel.with(language(), {html_escaped(equation.tag)}),

@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -37,8 +38,9 @@ struct ReaderEdition {
   const Lesson& lesson;
   std::vector<std::string> stages{};  ///< ids; empty: all. Nothing leads to the others
   ReaderFigures::Look look{};  ///< of the figures: texts follow the reader's own wish for light or dark
-  std::optional<ReaderPlace> place{};  ///< absent: it lies alone
-  std::optional<LiveParts> live{};     ///< absent: figures are pictures, and nothing else
+  std::optional<ReaderPlace> place{};           ///< absent: it lies alone
+  std::map<std::string, std::string> titles{};  ///< of other lessons that it builds on, by their ids
+  std::optional<LiveParts> live{};              ///< absent: figures are pictures, and nothing else
 };
 
 /// Told which of the edition's steps comes next, from 0, and the stage it is of; false stops.

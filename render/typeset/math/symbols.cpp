@@ -8,7 +8,7 @@ namespace {
 
 const MathNode& root_of(const MathSymbol& symbol) { return without_groups(*symbol.math.root); }
 
-bool begins_with(const std::vector<MathNode>& atoms, std::size_t i, const std::vector<MathNode>& sought) {
+bool begins_with(std::span<const MathNode> atoms, std::size_t i, const std::vector<MathNode>& sought) {
   return sought.size() <= atoms.size() - i &&
          std::equal(sought.begin(), sought.end(), atoms.begin() + static_cast<std::ptrdiff_t>(i), same_math);
 }
@@ -24,7 +24,7 @@ MathSymbols::MathSymbols(const std::vector<MathSymbol>* symbols) {
   }
 }
 
-MathSymbols::Found MathSymbols::at(const std::vector<MathNode>& atoms, std::size_t i) const {
+MathSymbols::Found MathSymbols::at(std::span<const MathNode> atoms, std::size_t i) const {
   Found longest;
   for (const MathSymbol* symbol : symbols_) {
     const MathNode& root = root_of(*symbol);

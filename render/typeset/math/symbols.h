@@ -5,6 +5,7 @@
 #include "render/typeset/math/math.h"
 #include "render/typeset/math/tree.h"
 
+#include <span>
 #include <vector>
 
 namespace polhode {
@@ -19,7 +20,7 @@ class MathSymbols {
     std::size_t count = 0;  ///< atoms it takes
   };
   /// The longest symbol that begins at atoms[i]; count 0: none does.
-  Found at(const std::vector<MathNode>& atoms, std::size_t i) const;
+  Found at(std::span<const MathNode> atoms, std::size_t i) const;
   /// The symbol that a single atom is; null: none.
   const MathSymbol* of(const MathNode& atom) const;
   /// ω₁ in ω₁²: nucleus and subscript are the symbol.

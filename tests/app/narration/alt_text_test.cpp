@@ -21,16 +21,54 @@ TEST(AltText, SaysWhatIsShownAndNothingElse) {
   EXPECT_THAT(text, testing::StartsWith(
                         "Seen from space: the energy ellipsoid, the angular velocity ω and the polhode."));
   EXPECT_THAT(text, Not(HasSubstr("plane")));
-  EXPECT_THAT(text, HasSubstr("At t = 1.25 s the body turns at 2 rad/s, with ω along L."));
+  EXPECT_THAT(text, testing::EndsWith("At t = 1.25 s the body turns at 2 rad/s."));
+}
+
+Scene with_L() {
+  Scene scene = rolling();
+  scene.show.insert(Overlay::L);
+  return scene;
+}
+
+// 28 November 2026: it was told of pictures without L, and of those that ask for it.
+TEST(AltText, HowOmegaLiesToLIsToldWhereBothAreDrawn) {
+  EXPECT_THAT(alt_text(with_L(), {}, Vec3(0, 0, 2), 1.25),
+              testing::EndsWith("At t = 1.25 s the body turns at 2 rad/s, with ω along L."));
+  EXPECT_THAT(alt_text(rolling(), {}, Vec3(0, 0, 2), 1.25), Not(HasSubstr("along L")));
+  Scene arrow = rolling();
+  ArrowMark mark;
+  mark.of.overlay = Overlay::L;
+  arrow.marks.arrows = {mark};
+  EXPECT_THAT(alt_text(arrow, {}, Vec3(0, 0, 2), 1.25), HasSubstr("with ω along L"));
+}
+
+TEST(AltText, AQuestionsFigureDoesNotAnswerIt) {
+  EXPECT_THAT(alt_text(with_L(), {.is_asked = true}, Vec3(0, 0, 2), 1.25),
+              testing::EndsWith("with principal moments 1, 1.75, 2.5 kg m²."));
+}
+
+TEST(AltText, TellsWhatChangesFromMomentToMoment) {
+  Scene scene = rolling();
+  scene.show = {Overlay::shape, Overlay::omega};
+  scene.w0_B = {0, 0, 2};
+  const SceneModel model = make_model(scene);
+  EXPECT_EQ(moment_in_words(model, 0.0, 0.0), "Along axes 1, 2, 3 ω has the components 0, 0, 2 rad/s.");
+  // 2 rad/s for π/2 s are half a turn.
+  EXPECT_EQ(moment_in_words(model, 0.0, 1.5707963),
+            "The same at t = 1.571 s. Axis 1 of the body points 180° away from where it pointed at t = 0 s, "
+            "axis 2 180°, axis 3 0°. Along axes 1, 2, 3 ω has the components 0, 0, 2 rad/s.");
+  scene.show = {Overlay::shape};
+  scene.views = {View::body};
+  EXPECT_EQ(moment_in_words(make_model(scene), 0.0, 1.0), "The same at t = 1 s.") << "nothing else is drawn";
 }
 
 // I = (1, 1.75, 2.5), ω = (1, 0, 1): L = (1, 0, 2.5), the angle is atan(2.5) − 45° = 23.2°.
 TEST(AltText, NumbersAreComputedForTheMoment) {
-  EXPECT_THAT(alt_text(rolling(), {}, Vec3(1, 0, 1), 0.0), HasSubstr("1.41 rad/s, with ω 23° away from L"));
+  EXPECT_THAT(alt_text(with_L(), {}, Vec3(1, 0, 1), 0.0), HasSubstr("1.41 rad/s, with ω 23° away from L"));
 }
 
 TEST(AltText, ABodyAtRestHasNoAngle) {
-  EXPECT_THAT(alt_text(rolling(), {}, Vec3::Zero(), 0.0), Not(HasSubstr("with ω")));
+  EXPECT_THAT(alt_text(with_L(), {}, Vec3::Zero(), 0.0), Not(HasSubstr("with ω")));
 }
 
 TEST(AltText, NamesTheViewsAndTheCaption) {
@@ -77,7 +115,7 @@ TEST(AltText, NamesNothingThatIsNotDrawn) {  // 2026-11-21: it named the plane o
 }
 
 TEST(AltText, ScenesSideBySideAreSaidInTurn) {
-  Scene first = rolling();
+  Scene first = with_L();
   first.w0_B = {0, 0, 2};
   Scene other = first;
   other.w0_B = {3, 0, 0};

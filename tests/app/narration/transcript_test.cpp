@@ -57,7 +57,7 @@ TEST(Transcript, HasWhatIsReadInItsOrder) {
   const std::string text = transcript_of(lesson(), {});
   std::size_t at = 0;
   for (const char* part : {"A spoken lesson\n===============\n", "\n1. The first stage\n------------------\n",
-                           "angular velocity", " is long:\n", "\n  • one item\n  • another item\n",
+                           "The vector omega is long:\n", "\n  • one item\n  • another item\n",
                            "    Equation (7): angular velocity", "  > The lecture said: It is small.\n",
                            "  > What it meant: It is zero.\n",
                            "Question: How long is it?\n  A. short\n  B. zero\n", "\n2. The second stage\n"}) {
@@ -117,10 +117,32 @@ More of it.
   EXPECT_EQ(text.find("Drawn: "), text.rfind("Drawn: ")) << "a step goes on with it";
 }
 
+// 28 November 2026: "a line from the tip of minus 1.1 e hat sub 1 minus 1.1 e hat sub 2 to …".
+TEST(Transcript, NoArithmeticOfWhatIsMadeForThePicture) {
+  std::string with_marks = kLesson;
+  with_marks += R"lesson(
+# Drawn {drawn}
+```scene
+arrows = [{ of = "omega", at = "0.3*ex" }, { of = "2*ey", tex = 'a' }, { of = "ez/2", tex = "" }]
+angles = [{ from = "0.5*ez + ex", to = "omega", tex = 'b' }, { from = "2*ez + ex", to = "omega", tex = "" }]
+lines = [{ from = "-1.1*ex", to = "1.1*ex" }, { from = "-1.1*ey", to = "1.1*ey" }, { from = "omega", to = "dot(omega, ez)*ez" }]
+planes = [{ normal = "cross(omega, ez)" }]
+notes  = [{ text = "here", at = "0.6*(omega/norm(omega) + ez)" }]
+```
+)lesson";
+  const LessonReading reading = check_lesson(with_marks, "spoken.md");
+  ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
+  EXPECT_EQ(
+      SpeechText(*reading.lesson).words_of_marks(*reading.lesson->stages[2].steps[0].scene),
+      "the arrow of angular velocity; the arrow of a; an arrow; the angle b; an angle; a line at the "
+      "tip of angular velocity; 2 dashed lines; the plane normal to angular velocity cross e hat sub z; "
+      "the note \"here\".");
+}
+
 TEST(SpeechText, SaysAPage) {
   const Lesson l = lesson();
   EXPECT_THAT(SpeechText(l).words_of_page(l.stages[0], 1, 1),
-              testing::AllOf(testing::StartsWith("The first stage. The vector angular velocity is long:"),
+              testing::AllOf(testing::StartsWith("The first stage. The vector omega is long:"),
                              HasSubstr("Equation (7): "), HasSubstr("Choice B: zero.")));
 }
 
@@ -153,15 +175,34 @@ TEST(SpeechText, KnowsTheMotionOfWhatIsMeasured) {
               HasSubstr("Checked on this motion"));
 }
 
-TEST(SpeechText, SaysAQuantityAndItsSymbolOnce) {
-  EXPECT_EQ(spoken_prose("The angular velocity $\\vec\\omega$ is."), "The angular velocity is.");
-  EXPECT_EQ(spoken_prose("Angular velocity $\\vec\\omega$, too"), "Angular velocity, too");
-  EXPECT_EQ(spoken_prose("An angular $\\vec\\omega$ is."), "An angular velocity is.");
-  EXPECT_EQ(spoken_prose("Rectangular $\\vec\\omega$"), "Rectangular angular velocity");
-  EXPECT_EQ(spoken_prose("It. $\\vec\\omega$ is"), "It. Angular velocity is");
-  EXPECT_EQ(spoken_prose("e.g.\u00A0$\\vec\\omega$"), "e.g.\u00A0angular velocity");
+// 28 November 2026: "A point P of the rim" was read "a point a point of the rim of the body cone of the rim".
+TEST(SpeechText, SaysLettersInLinesOfText) {
+  EXPECT_EQ(spoken_prose("The angular velocity $\\vec\\omega$ is."), "The angular velocity vector omega is.");
+  EXPECT_EQ(spoken_prose("It. $\\vec\\omega$ is"), "It. Vector omega is");
+  EXPECT_EQ(spoken_prose("e.g.\u00A0$\\vec\\omega$"), "e.g.\u00A0vector omega");
+  EXPECT_EQ(spoken_prose("The vector $\\vec\\omega$"), "The vector omega");
+  EXPECT_EQ(spoken_prose("The **vector** $\\vec\\omega$"), "The vector omega");
+  EXPECT_EQ(spoken_prose("Rotovector$\\vec\\omega$"), "Rotovectorvector omega") << "another word";
+  EXPECT_EQ(spoken_prose("$\\omega = |\\vec\\omega|$"), "omega equals the magnitude of vector omega");
   EXPECT_EQ(spoken_prose("$e$ is"), "e is");
   EXPECT_EQ(spoken_prose("In $S$ $S$ is"), "In S S is");
+}
+
+// 28 November 2026: a vector and its magnitude had one name, in German L and ω too.
+TEST(SpeechText, TellsAVectorFromItsMagnitude) {
+  const auto said = [](const std::string& language, const std::string& symbol) {
+    const LessonReading reading =
+        check_lesson("+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n" + language + "[symbols]\n" + symbol +
+                         "\n+++\n# A {a}\n```math e\n\\vec L = \\vec M + L\n```\n",
+                     "x.md");
+    EXPECT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
+    return SpeechText(*reading.lesson).words(*blocks_of<Equation>(reading.lesson->stages[0].steps[0]).at(0));
+  };
+  EXPECT_EQ(said("", "L = { tex = '\\vec L', say = 'angular momentum' }"),
+            "Equation: angular momentum equals vector M plus L.");
+  EXPECT_EQ(said("", "L = { tex = '\\vec L', say = 'L' }"), "Equation: vector L equals vector M plus L.");
+  EXPECT_EQ(said("language = 'de'\n", "L = { tex = '\\vec L', say = 'L' }"),
+            "Gleichung: Vektor L gleich Vektor M plus L.");
 }
 
 constexpr const char* kNumbers = R"(+++

@@ -66,8 +66,21 @@ TEST(DeckNotes, AreWhatTheStepsSay) {
   EXPECT_THAT(texts(notes_of(speech, stage, 1, 1)),
               ElementsAre("First words.", "• one", "• two", "Equation (5): angular momentum equals 0."));
   EXPECT_THAT(texts(notes_of(speech, stage, 2, 3)),
-              ElementsAre("The lecture said: It stops.", "Question: Why?", "A. Because.",
-                          "B. For angular momentum.", "More."));
+              ElementsAre("The lecture said: It stops.", "Question: Why?", "A. Because.", "B. For vector L.",
+                          "More."));
+}
+
+// 28 November 2026: the audience sees whether an equation is proved, and who spoke to it did not.
+TEST(DeckNotes, HaveTheVerdicts) {
+  std::string proved = kLesson;
+  proved.replace(proved.find("```math a"), 9, "```math a free");
+  proved.replace(proved.find("\\vec L = 0"), 10, "\\frac{d\\vec L}{dt} = 0");
+  const auto lesson = check_lesson(proved, "notes.md");
+  ASSERT_TRUE(lesson.lesson) << lesson.diagnostics[0].message;
+  EXPECT_THAT(
+      texts(notes_of(SpeechText(*lesson.lesson), lesson.lesson->stages[0], 1, 1)),
+      ElementsAre("First words.", "• one", "• two", "Equation (5): d angular momentum over d t equals 0.",
+                  "True when no torque acts."));
 }
 
 ExportOptions options_of(What what, Each each) {

@@ -167,7 +167,7 @@ TEST(SymbolNote, OfALinkSaysWhereItLeads) {
   const auto meaning = [&](const std::string& name) {
     return note_of(*reading.lesson, name, nullptr, 0).meaning;
   };
-  EXPECT_EQ(meaning("#one"), "Go to: How L turns");
+  EXPECT_EQ(meaning("#one"), "Go to: How vector L turns");
   EXPECT_EQ(meaning("cite:LL"), "Landau");
   EXPECT_EQ(meaning("https://a.b"), "Click to copy: https://a.b");
   EXPECT_EQ(meaning("other#one"), "In another lesson: other#one");

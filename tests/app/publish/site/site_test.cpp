@@ -275,6 +275,33 @@ TEST_F(SiteOfTwo, LinksALessonWithItsTranslation) {
                              HasSubstr("Die nächste Lektion: ")));
 }
 
+// 28 November 2026: a German lesson lay in an English frame.
+TEST_F(SiteOfTwo, AnIndexIsInTheLanguageOfItsFirstLesson) {
+  std::string german = kOther;
+  german.insert(german.find("outcomes"), "language = \"de\"\n");
+  write_text(folder_ / "other.md", german);
+  const fs::path site = folder_ / "site";
+  ASSERT_EQ(make(site, {"--with", "pdf"}, {"other"}).code, 0);
+  const std::string index = text_of(site / "index.html");
+  EXPECT_THAT(index, testing::AllOf(HasSubstr("<html lang=\"de\">"),
+                                    HasSubstr("<h1>Vorlesungen über die Rotation starrer Körper</h1>"),
+                                    HasSubstr("Zum Mitnehmen: <a href=\"other.de.pdf\">Folien als PDF</a>"),
+                                    HasSubstr("Nichts gefunden.")));
+  for (const char* english : {"Lectures", "To the lessons", "Find a", "Headings", "places"})
+    EXPECT_THAT(index, Not(HasSubstr(english)));
+}
+
+TEST_F(SiteOfTwo, ShowsWhatALessonBuildsOnByItsTitle) {
+  std::string other = kOther;
+  other.replace(other.find("[\"something\"]"), 13, "[\"edition\", \"something\"]");
+  write_text(folder_ / "other.md", other);
+  const fs::path site = folder_ / "site";
+  ASSERT_EQ(make(site).code, 0);
+  EXPECT_THAT(
+      text_of(site / "other.html"),
+      HasSubstr("<li><a href=\"edition.html\">An &lt;edition&gt; &amp; more</a></li>\n<li>something</li>"));
+}
+
 TEST_F(SiteOfTwo, OffersSlides) {
   const fs::path site = folder_ / "site";
   ASSERT_EQ(make(site, {"--with", "pptx"}, {"other"}).code, 0);

@@ -407,42 +407,6 @@ TEST(MathLayout, AnEmptyFormulaIsEmpty) {
   EXPECT_THAT(set("\\frac{}{}").rules, SizeIs(1));
 }
 
-// --- words ----------------------------------------------------------------------------------------------
-
-std::string said(std::string_view tex) {
-  const std::vector<MathSymbol> symbols = {{"omega", parsed("\\vec\\omega"), {}},
-                                           {"L", parsed("\\vec L"), {}}};
-  return spoken(parsed(tex), symbols, [](std::string_view name) {
-    return std::string(name == "L" ? "angular momentum" : "omega vector");
-  });
-}
-
-TEST(SpokenMath, IsWhatAReaderWouldSay) {
-  EXPECT_EQ(said("\\frac{d\\vec L}{dt} = N"), "d angular momentum over d t equals N");
-  EXPECT_EQ(said("\\frac{d^*\\vec L}{dt}"), "d star angular momentum over d t");
-  EXPECT_EQ(said("I_1\\dot\\omega_1"), "I sub 1 omega dot sub 1");
-  EXPECT_EQ(said("\\dot{\\vec\\omega}"), "omega vector dot");
-  EXPECT_EQ(said("x^2 + y^3 = 12.5"), "x squared plus y cubed equals 12.5");
-  EXPECT_EQ(said("\\vec F"), "vector F");
-  EXPECT_EQ(said("x = 90^\\circ"), "x equals 90 degrees");
-  EXPECT_EQ(said("|\\vec L|^2"), "the magnitude of angular momentum squared");
-  EXPECT_EQ(said("|x|_2^2"), "the magnitude of x sub 2 squared");
-  EXPECT_EQ(said("a \\xrightarrow[b]{c} d"), "a goes to by c with below b d");
-  EXPECT_EQ(said("a \\xrightarrow{c} d"), "a goes to by c d");
-  EXPECT_EQ(said("\\mathbf I^{-1}"), "I inverse");
-  EXPECT_EQ(said("\\frac12"), "one half");
-  EXPECT_EQ(said("\\frac{a+b}{c}"), "the fraction a plus b over c end of fraction");
-  EXPECT_EQ(said("\\sum_{i=1}^n a_i"), "the sum from i equals 1 to n of a sub i");
-  EXPECT_EQ(said("\\sqrt{x}"), "the square root of x");
-  EXPECT_EQ(said("\\begin{pmatrix} 1 & 2 \\\\ 3 & 4 \\end{pmatrix}"), "the matrix with rows 1, 2; 3, 4");
-  EXPECT_EQ(said("a_i \\qquad (i = 1, 2)"), "a sub i, open parenthesis i equals 1, 2 close parenthesis");
-  EXPECT_EQ(said("\\text{tempting:}\\quad a = 0"), "tempting: a equals 0");
-}
-
-TEST(SpokenMath, SaysSomethingOfEveryFormula) {
-  for (const auto& [name, tex] : testing::all_formulas()) EXPECT_FALSE(said(tex).empty()) << name;
-}
-
 /// Colours of the glyphs of a formula in which ω₁ is a symbol, from left to right.
 std::vector<Color> colors_in(const std::string& tex) {
   const std::vector<MathSymbol> symbols = {{"w1", parsed("\\omega_1"), color_from_hex(0x006B62)}};

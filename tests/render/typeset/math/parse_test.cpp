@@ -306,9 +306,9 @@ TEST(ParseMath, ReadsComputedNumbers) {
   EXPECT_EQ(typed.expression, "h");
   const auto say = [](std::string_view) { return std::string(); };
   EXPECT_EQ(spoken(*math, {}, say),
-            "a equals its value now rad/s plus minus 2.50 dot 10 to the power minus 3 m");
+            "a equals its value now rad/s plus minus 2.50 times 10 to the power minus 3 m");
   const Math shown = with_numbers(*math, {{parse_math("7").value(), "x"}, {}});
-  EXPECT_EQ(spoken(shown, {}, say), "a equals 7 rad/s plus minus 2.50 dot 10 to the power minus 3 m");
+  EXPECT_EQ(spoken(shown, {}, say), "a equals 7 rad/s plus minus 2.50 times 10 to the power minus 3 m");
   EXPECT_EQ(unit_tex("kg m^2/s"), "\\,\\text{kg m²/s}");
   EXPECT_EQ(unit_tex("deg"), "\\text{°}");
   EXPECT_EQ(unit_tex("1"), "");

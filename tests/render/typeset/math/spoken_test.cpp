@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// What is said of formulas: whoever hears it writes the same formula down.
+#include "render/typeset/math/math.h"
+#include "tests/render/typeset/math/formulas.h"
+
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+Math parsed(std::string_view tex, Language language = Language::en) {
+  auto math = parse_math(tex, {}, language);
+  EXPECT_TRUE(math.ok()) << tex << ": " << math.error().front().message;
+  return math.ok() ? *math : Math{};
+}
+
+std::string said(std::string_view tex, Language language = Language::en) {
+  const std::vector<MathSymbol> symbols = {
+      {"omega", parsed("\\vec\\omega"), {}}, {"L", parsed("\\vec L"), {}}, {"mgl", parsed("m g \\ell"), {}}};
+  return spoken(parsed(tex, language), symbols, [](std::string_view name) {
+    return std::string(name == "L"     ? "angular momentum"
+                       : name == "mgl" ? "weight times arm"
+                                       : "omega vector");
+  });
+}
+
+std::string said_in_german(std::string_view tex) { return said(tex, Language::de); }
+
+TEST(SpokenMath, IsWhatAReaderWouldSay) {
+  EXPECT_EQ(said("I_1\\dot\\omega_1"), "I sub 1 omega dot sub 1");
+  EXPECT_EQ(said("\\dot{\\vec\\omega}"), "omega vector dot");
+  EXPECT_EQ(said("x^2 + y^3 = 12.5"), "x squared plus y cubed equals 12.5");
+  EXPECT_EQ(said("\\vec F"), "vector F");
+  EXPECT_EQ(said("x = 90^\\circ"), "x equals 90 degrees");
+  EXPECT_EQ(said("a \\xrightarrow[b]{c} d"), "a goes to by c with below b d");
+  EXPECT_EQ(said("a \\xrightarrow{c} d"), "a goes to by c d");
+  EXPECT_EQ(said("\\mathbf I^{-1}"), "I inverse");
+  EXPECT_EQ(said("\\sum_{i=1}^n a_i"), "the sum from i equals 1 to n of a sub i");
+  EXPECT_EQ(said("\\begin{pmatrix} 1 & 2 \\\\ 3 & 4 \\end{pmatrix}"), "the matrix with rows 1, 2; 3, 4");
+  EXPECT_EQ(said("a_i \\qquad (i = 1, 2)"), "a sub i, open parenthesis i equals 1, 2 close parenthesis");
+  EXPECT_EQ(said("\\text{tempting:}\\quad a = 0"), "tempting: a equals 0");
+}
+
+// 28 November 2026: "I 3 over I 1 omega 3" was (I3/I1) ω3, and "I 3 omega 3 over I 1 cos theta" was
+// I3ω3/(I1 cos θ).
+TEST(SpokenMath, AFractionSaysWhereItEnds) {
+  EXPECT_EQ(said("\\frac{I_3}{I_1}\\omega_3"),
+            "the fraction I sub 3 over I sub 1 end of fraction omega sub 3");
+  EXPECT_EQ(said("\\frac{I_3\\omega_3}{I_1\\cos\\theta}"),
+            "the fraction I sub 3 omega sub 3 over I sub 1 cos theta end of fraction");
+  EXPECT_EQ(said("\\frac{a+b}{c}"), "the fraction a plus b over c end of fraction");
+  EXPECT_EQ(said("\\frac{2\\pi}{T}"), "the fraction 2 pi over T end of fraction");
+  EXPECT_EQ(said("\\frac{a}{b}\\cdot c"), "the fraction a over b end of fraction times c");
+  EXPECT_EQ(said("\\frac{a}{b}(c + d)"),
+            "the fraction a over b end of fraction open parenthesis c plus d close parenthesis");
+  EXPECT_EQ(said("\\frac{a}{b}\\,\\sin x"), "the fraction a over b end of fraction sin x");
+  EXPECT_EQ(said("{\\frac{a}{b}}{c}"), "the fraction a over b end of fraction c") << "a group is no end";
+  EXPECT_EQ(said("\\frac{a}{b}^2"), "the fraction a over b end of fraction squared");
+  EXPECT_EQ(said("\\frac{\\frac{a}{b}}{c}"), "the fraction a over b over c end of fraction");
+  EXPECT_EQ(said_in_german("\\frac{I_3}{I_1}\\omega_3"), "Bruch I 3 durch I 1 Ende des Bruchs Omega 3");
+}
+
+TEST(SpokenMath, AShortFractionIsShort) {
+  EXPECT_EQ(said("\\frac{I_3}{I_1} = 2"), "I sub 3 over I sub 1 equals 2");
+  EXPECT_EQ(said("1 - \\frac{a}{b} + c"), "1 minus a over b plus c");
+  EXPECT_EQ(said("\\frac{12.5}{T^2}"), "12.5 over T squared");
+  EXPECT_EQ(said("2\\frac{\\vec L}{I_1},"), "2 angular momentum over I sub 1,");
+  EXPECT_EQ(said("\\frac{m g \\ell}{I_1}"), "weight times arm over I sub 1") << "one name of the lesson";
+  EXPECT_EQ(said("\\frac{a}{b}\\qquad c = 1"), "a over b, c equals 1");
+  EXPECT_EQ(said("\\frac12 m"), "one half m");
+  EXPECT_EQ(said("\\left(\\frac{a}{b}\\right)c"), "open parenthesis a over b close parenthesis c");
+}
+
+TEST(SpokenMath, ARateIsOneThing) {
+  EXPECT_EQ(said("\\frac{d\\vec L}{dt} = N"), "d angular momentum over d t equals N");
+  EXPECT_EQ(said("\\frac{d^*\\vec L}{dt}"), "d star angular momentum over d t");
+  EXPECT_EQ(said("\\frac{d^2\\vec r}{dt^2} = 0"), "d squared vector r over d t squared equals 0");
+  EXPECT_EQ(said("\\frac{d}{dt}\\left(x + y\\right)"),
+            "d over d t of open parenthesis x plus y close parenthesis");
+  EXPECT_EQ(said("\\frac{dm}{dt}\\vec v"), "the fraction d m over d t end of fraction vector v");
+  EXPECT_EQ(said("\\frac{d}{2}\\omega"), "the fraction d over 2 end of fraction omega") << "a distance";
+}
+
+TEST(SpokenMath, RootsAndPowersSayWhereTheyEnd) {
+  EXPECT_EQ(said("\\sqrt{x}"), "the square root of x");
+  EXPECT_EQ(said("\\sqrt{x}\\,y"), "the square root of x end of root y");
+  EXPECT_EQ(said("\\sqrt{x y}"), "the square root of x y end of root");
+  EXPECT_EQ(said("e^{-kt}\\cos x"), "e to the power minus k t end of power cos x");
+  EXPECT_EQ(said("x^n y"), "x to the power n y");
+}
+
+TEST(SpokenMath, AMagnitudeOfMoreThanOneSaysWhereItEnds) {
+  EXPECT_EQ(said("|\\vec L|^2"), "the magnitude of angular momentum squared");
+  EXPECT_EQ(said("|x|_2^2"), "the magnitude of x sub 2 squared");
+  EXPECT_EQ(said("|\\vec F| = F"), "the magnitude of vector F equals F");
+  EXPECT_EQ(said("|\\vec\\omega\\times\\vec L| = 1"),
+            "the magnitude of omega vector cross angular momentum end of magnitude equals 1");
+  EXPECT_EQ(said("\\left|\\vec\\omega\\times\\vec L\\right|"),
+            "the magnitude of omega vector cross angular momentum end of magnitude");
+  EXPECT_EQ(said("|a|\\,b"), "the magnitude of a end of magnitude b");
+  EXPECT_EQ(said("|a|\\,|b|"), "the magnitude of a end of magnitude the magnitude of b");
+  EXPECT_EQ(said_in_german("|a + b|"), "Betrag von a plus b Ende des Betrags");
+}
+
+TEST(SpokenMath, NumbersAreMultipliedByTimes) {
+  EXPECT_EQ(said("3\\times 10^{-4}"), "3 times 10 to the power minus 4");
+  EXPECT_EQ(said("\\omega_1\\cdot\\omega_2"), "omega sub 1 times omega sub 2");
+  EXPECT_EQ(said("2\\cdot\\vec L"), "2 times angular momentum");
+  EXPECT_EQ(said("|\\vec L|\\cdot|\\vec\\omega|"),
+            "the magnitude of angular momentum end of magnitude times the magnitude of omega vector");
+  EXPECT_EQ(said_in_german("3\\times 4"), "3 mal 4");
+}
+
+TEST(SpokenMath, VectorsHaveADotAndACross) {
+  EXPECT_EQ(said("\\vec\\omega\\cdot\\vec L"), "omega vector dot angular momentum");
+  EXPECT_EQ(said("\\mathbf I\\cdot\\vec\\omega"), "I dot omega vector");
+  EXPECT_EQ(said("\\omega_3\\hat e_3\\times\\vec\\omega"), "omega sub 3 e hat sub 3 cross omega vector");
+  EXPECT_EQ(said("\\vec\\omega\\times(\\mathbf I\\cdot\\vec\\omega)"),
+            "omega vector cross open parenthesis I dot omega vector close parenthesis");
+  EXPECT_EQ(said("\\nabla\\times\\vec F"), "nabla cross vector F");
+  EXPECT_EQ(said("\\vec F\\cdot d\\vec r"), "vector F dot d vector r");
+  EXPECT_EQ(said("\\times\\vec F"), "cross vector F") << "a line that goes on";
+}
+
+TEST(SpokenMath, SaysSomethingOfEveryFormula) {
+  for (const auto& [name, tex] : testing::all_formulas()) EXPECT_FALSE(said(tex).empty()) << name;
+}
+
+}  // namespace
+}  // namespace polhode
