@@ -75,9 +75,11 @@ inline constexpr Phrase kSlidesAsPdf{"slides as PDF", "Folien als PDF"};
 inline constexpr Phrase kSlidesForPrograms{"slides for PowerPoint and LibreOffice",
                                            "Folien für PowerPoint und LibreOffice"};
 inline constexpr Phrase kAFilm{"a film", "ein Film"};
-// What its script says.
-inline constexpr Phrase kNothingFound{"Nothing found.", "Nichts gefunden."};
-inline constexpr Phrase kOnePlace{"1 place", "1 Stelle"};
-inline constexpr Phrase kPlaces{"{0} places", "{0} Stellen"};
+// What its script says, by the names it asks for.
+inline constexpr auto kSiteScript = std::to_array<NamedPhrase>({
+    {"nothing", {"Nothing found.", "Nichts gefunden."}},
+    {"one", {"1 place", "1 Stelle"}},
+    {"several", {"{0} places", "{0} Stellen"}},
+});
 
 }  // namespace polhode::words

@@ -19,13 +19,6 @@ namespace polhode {
 
 namespace {
 
-/// What the page's script says, as JSON.
-std::string words_of_script(Language language) {
-  return fmt::format("{{\"nothing\":\"{}\",\"one\":\"{}\",\"several\":\"{}\"}}",
-                     words::kNothingFound.in(language), words::kOnePlace.in(language),
-                     words::kPlaces.in(language));
-}
-
 /// `lang` of what is in another language than the page.
 std::string language_of(const Lesson& lesson, Language of_page) {
   const Language language = lesson.about.language;
@@ -164,7 +157,7 @@ std::string site_index_html(const std::vector<SiteIndexLesson>& lessons, const s
       {"to-the-lessons", said(words::kToTheLessons)},
       {"find", said(words::kFindHeading)},
       {"headings", said(words::kHeadingsAndEquations)},
-      {"words", html_escaped(words_of_script(language))},
+      {"words", html_escaped(json_of(words::kSiteScript, language))},
       {"sandbox",
        sandbox.empty()
            ? ""
