@@ -36,11 +36,14 @@ inline constexpr Phrase kReplyTo{"To {0}:", "Zu {0}:"};
 inline constexpr Phrase kTyped{"{0}, typed {1}", "{0}, eingegeben {1}"};
 inline constexpr Phrase kForExampleTyped{"For example {0}", "Zum Beispiel {0}"};
 
+inline constexpr Phrase kRight{"Right.", "Richtig."};
+inline constexpr Phrase kNotRight{"Not right.", "Nicht richtig."};
+
 // What the page's script says, by the names it asks for.
 inline constexpr auto kEditionScript = std::to_array<NamedPhrase>({
     {"pickOne", {"Pick one of the choices.", "Eine der Antworten auswählen."}},
-    {"right", {"Right.", "Richtig."}},
-    {"notRight", {"Not right.", "Nicht richtig."}},
+    {"right", kRight},
+    {"notRight", kNotRight},
     {"eachAPlace", {"Give each of them a place of its own.", "Jedem Schritt einen eigenen Platz geben."}},
     {"aNumber", {"Type a number, such as 1.5 or 2e-3.", "Eine Zahl eingeben, etwa 1,5 oder 2e-3."}},
     {"aNumberIn",
