@@ -284,7 +284,9 @@ TEST_F(StillPageTest, APanelIsBesideTheFigureOrOverAllOfIt) {
       const ImRect at = ImGui::FindWindowByName("panel")->Rect();
       const Page& page = screen->page().page();
       const bool is_beside = page.ceiling <= 0;
-      if (is_beside) EXPECT_GE(static_cast<double>(at.Min.x), page.column.x1) << size.width << ' ' << scale;
+      if (is_beside) {
+        EXPECT_GE(static_cast<double>(at.Min.x), page.column.x1) << size.width << ' ' << scale;
+      }
       for (const Inset& inset : page.insets) {
         const auto left = static_cast<float>(inset.place.x),
                    right = static_cast<float>(inset.place.x + inset.place.width);
@@ -361,8 +363,9 @@ TEST_F(StillPageTest, TheMarkOfScrollingIsBetweenTextAndFigure) {
       draw();
       if (screen->page().page().overflow <= 0) continue;
       const Page& page = screen->page().page();
-      if (page.ceiling <= 0)
+      if (page.ceiling <= 0) {
         EXPECT_LT(difference(before, screen->read()).x1, page.meters.x0) << size.width << ' ' << scale;
+      }
     }
 }
 
