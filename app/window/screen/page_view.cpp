@@ -36,12 +36,14 @@ PageRequest request_of(const LessonSession& session, const PageLook& look) {
 void hide_above_ceiling(Page& page) {
   const auto shapes = static_cast<std::ptrdiff_t>(page.column_shapes);
   const auto is_hidden = [&](FlatShape& shape) {
+    const Stroke* stroke = std::get_if<Stroke>(&shape);
+    const double highest = page.ceiling + (stroke ? 0.5 * stroke->width : 0.0);
     return std::visit(
         [&](auto& drawn) {
           bool is_seen = false;
           for (Vec2& point : drawn.points) {
-            is_seen = is_seen || point.y() > page.ceiling;
-            point.y() = std::max(point.y(), page.ceiling);
+            is_seen = is_seen || point.y() > highest;
+            point.y() = std::max(point.y(), highest);
           }
           return !is_seen;
         },

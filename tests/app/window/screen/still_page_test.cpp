@@ -192,6 +192,31 @@ TEST_F(StillPageTest, WhatIsScrolledAwayIsNotOverTheFigureAboveIt) {
   EXPECT_EQ(page.hidden, 0);
 }
 
+// 2026-11-28: the upper half of a verdict stood between the caption and the line that names the step.
+TEST_F(StillPageTest, VerdictsThatAreScrolledAwayAreGoneAsAWhole) {
+  const Size high{720, 1280};
+  const auto& stages = session.lesson().stages;
+  const auto stage = std::ranges::find(stages, "poinsot", &Stage::id);
+  ASSERT_NE(stage, stages.end());
+  session.go_to({static_cast<std::size_t>(stage - stages.begin()), 6});
+  draw_at(high);
+  const auto above_text = [&] {
+    const Image shown = screen->page().picture().read();
+    const auto rows = static_cast<std::ptrdiff_t>(screen->page().page().ceiling) * shown.size.width * 4;
+    return std::vector<std::uint8_t>(shown.rgba.begin(), shown.rgba.begin() + rows);
+  };
+  const auto at_end = above_text();
+  double hidden = screen->page().page().hidden;
+  ASSERT_GT(hidden, 0);
+  while (hidden > 0) {
+    screen->press(session, "K");
+    draw_at(high, 2);
+    EXPECT_EQ(above_text(), at_end) << hidden;
+    const double before = std::exchange(hidden, screen->page().page().hidden);
+    ASSERT_LT(hidden, before);
+  }
+}
+
 // 2026-11-27: in a small window, where small type is held at what can be read, "Question" was broken in the
 // word.
 TEST_F(StillPageTest, TheNameBesideAQuestionIsOneWord) {
