@@ -39,8 +39,10 @@ bool is_magnitude(const MathNode& n) {
          is_fence(n.children.back());
 }
 
+/// In a group of its own, too: a sign between numbers is set so, without the spaces of an operation.
 bool is_product_sign(const MathNode& n) {
-  return n.kind == Kind::symbol && (n.character == U'×' || n.character == U'⋅');
+  const MathNode& sign = without_groups(n);
+  return sign.kind == Kind::symbol && (sign.character == U'×' || sign.character == U'⋅');
 }
 
 bool is_seen(const MathNode& n) {

@@ -104,6 +104,9 @@ TEST(SpokenMath, AMagnitudeOfMoreThanOneSaysWhereItEnds) {
 
 TEST(SpokenMath, NumbersAreMultipliedByTimes) {
   EXPECT_EQ(said("3\\times 10^{-4}"), "3 times 10 to the power minus 4");
+  EXPECT_EQ(said("2.5{\\cdot}10^{-2}"), "2.5 times 10 to the power minus 2");
+  EXPECT_EQ(said("{\\cdot}10^{-2}"), "times 10 to the power minus 2")
+      << "the number stands before the formula";
   EXPECT_EQ(said("\\omega_1\\cdot\\omega_2"), "omega sub 1 times omega sub 2");
   EXPECT_EQ(said("2\\cdot\\vec L"), "2 times angular momentum");
   EXPECT_EQ(said("|\\vec L|\\cdot|\\vec\\omega|"),
