@@ -86,14 +86,19 @@ std::string change_in_words(const SceneModel& model, double from_s, double t_s) 
     add(words::kAxesPoint,
         {fmt::format("{:.4g}", from_s), turned(Vec3::UnitX()), turned(Vec3::UnitY()), turned(Vec3::UnitZ())});
   }
-  if (draws(scene, Overlay::omega)) {
-    const Vec3 w_B = model.motion->w_B_at(t_s);
-    const double last = 1e-3 * w_B.norm();  // what no reader could see is 0
+  const auto add_components = [&](const Phrase& phrase, const Vec3& vector_B) {
+    const double last = 1e-3 * vector_B.norm();  // what no reader could see is 0
     const auto component = [&](int i) {
-      return (w_B[i] < -last ? "−" : "") +
-             fmt::format("{:.3g}", std::abs(w_B[i]) < last ? 0.0 : std::abs(w_B[i]));
+      return (vector_B[i] < -last ? "−" : "") +
+             fmt::format("{:.3g}", std::abs(vector_B[i]) < last ? 0.0 : std::abs(vector_B[i]));
     };
-    add(words::kOmegaInBody, {component(0), component(1), component(2)});
+    add(phrase, {component(0), component(1), component(2)});
+  };
+  const Vec3 w_B = model.motion->w_B_at(t_s);
+  if (draws(scene, Overlay::omega)) {
+    add_components(words::kOmegaInBody, w_B);
+  } else if (draws(scene, Overlay::L)) {
+    add_components(words::kLInBody, angular_momentum_B(scene.body.moments, w_B));
   }
   return text;
 }

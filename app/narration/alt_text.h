@@ -30,7 +30,7 @@ std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& s
 
 /// Of the pictures of one motion at several moments, the first of which is from_s and has the alternative
 /// text above: what has changed since then. Seen from space, how far each axis of the body points away from
-/// where it pointed; where ω is drawn, its components along the axes, of the first moment too.
+/// where it pointed; where ω is drawn, or else L, its components along the axes, of the first moment too.
 std::string moment_in_words(const SceneModel& model, double from_s, double t_s);
 
 }  // namespace polhode

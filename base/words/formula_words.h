@@ -30,13 +30,13 @@ inline constexpr auto kSigns = std::to_array<SignWords>({
     {U'∩', {"intersection", "geschnitten mit"}},
     {U'∖', {"without", "ohne"}},
     {U'=', {"equals", "gleich"}},
-    {U'≠', {"is not equal to", "ungleich"}},
-    {U'<', {"is less than", "kleiner als"}},
-    {U'>', {"is greater than", "größer als"}},
-    {U'≤', {"is at most", "kleiner gleich"}},
-    {U'≥', {"is at least", "größer gleich"}},
-    {U'≪', {"is much less than", "sehr viel kleiner als"}},
-    {U'≫', {"is much greater than", "sehr viel größer als"}},
+    {U'≠', {"not equal to", "ungleich"}},
+    {U'<', {"less than", "kleiner als"}},
+    {U'>', {"greater than", "größer als"}},
+    {U'≤', {"at most", "kleiner gleich"}},
+    {U'≥', {"at least", "größer gleich"}},
+    {U'≪', {"much less than", "sehr viel kleiner als"}},
+    {U'≫', {"much greater than", "sehr viel größer als"}},
     {U'≡', {"is identical to", "identisch gleich"}},
     {U'≈', {"is about", "etwa gleich"}},
     {U'∼', {"is of the order of", "von der Größenordnung"}},
@@ -112,6 +112,9 @@ inline constexpr auto kAccents = std::to_array<SignWords>({
     {0x0301, {"acute", "Akut"}},
     {0x0300, {"grave", "Gravis"}},
 });
+/// Of what dots stand on that a scalar product could follow: "omega dot" is no half of one.
+inline constexpr Phrase kTimeDerivativeOf{"the time derivative of", "Zeitableitung von"};
+inline constexpr Phrase kSecondTimeDerivativeOf{"the second time derivative of", "zweite Zeitableitung von"};
 inline constexpr Phrase kVector{"vector", "Vektor"};
 inline constexpr Phrase kBar{"bar", "quer"};
 inline constexpr Phrase kUnderlined{"underlined", "unterstrichen"};
@@ -119,7 +122,7 @@ inline constexpr Phrase kCapital{"capital {0}", "groß {0}"};
 
 /// Between numbers; between vectors × and ⋅ have the words of kSigns.
 inline constexpr Phrase kTimes{"times", "mal"};
-inline constexpr Phrase kMagnitudeOf{"the magnitude of", "Betrag von"};
+inline constexpr Phrase kMagnitudeOf{"magnitude of", "Betrag von"};
 inline constexpr Phrase kEndOfMagnitude{"end of magnitude", "Ende des Betrags"};
 inline constexpr Phrase kItsValueNow{"its value now", "aktueller Wert"};
 inline constexpr Phrase kDegrees{"degrees", "Grad"};
@@ -130,6 +133,8 @@ inline constexpr Phrase kWithBelow{"with below", "darunter"};
 inline constexpr Phrase kWithAbove{"with above", "darüber"};
 inline constexpr Phrase kWhichIs{"which is", "das ist"};
 inline constexpr Phrase kSub{"sub", ""};
+inline constexpr Phrase kSubLetter{"sub", "Index"};  ///< no number, which in German is said alone
+inline constexpr Phrase kUnitTensor{"the unit tensor", "Einheitstensor"};
 inline constexpr Phrase kSuper{"super", "oben"};
 inline constexpr Phrase kSquared{"squared", "Quadrat"};
 inline constexpr Phrase kCubed{"cubed", "hoch 3"};

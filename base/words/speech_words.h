@@ -29,6 +29,8 @@ inline constexpr Phrase kAxesPoint{
 inline constexpr Phrase kOmegaInBody{
     "Along axes 1, 2, 3 ω has the components {0}, {1}, {2} rad/s.",
     "Längs der Achsen 1, 2, 3 hat ω die Komponenten {0}; {1} und {2} rad/s."};
+inline constexpr Phrase kLInBody{"Along axes 1, 2, 3 L has the components {0}, {1}, {2} kg m²/s.",
+                                 "Längs der Achsen 1, 2, 3 hat L die Komponenten {0}; {1} und {2} kg m²/s."};
 inline constexpr Phrase kPlotsAlone{"Plots alone. ", "Nur Kurven. "};
 inline constexpr Phrase kTheBodyIs{"The body is {0}with principal moments {1}, {2}, {3} kg m². ",
                                    "Der Körper {0}hat die Hauptträgheitsmomente {1}; {2} und {3} kg m². "};

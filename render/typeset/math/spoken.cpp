@@ -174,7 +174,7 @@ class FormulaSpeaker {
     const bool joins = w == "," || w == ";" || w == "." || w == ":";
     if (!text_.empty() && !joins) text_ += ' ';
     text_ += w;
-    last_is_digit_ = false;
+    last_is_digit_ = last_is_upright_ = false;
   }
 
   void word(const Phrase& phrase) { word(phrase.in(language_)); }
@@ -221,9 +221,8 @@ class FormulaSpeaker {
       word(words::kMagnitudeOf);
       return i;
     }
-    const bool has_scripts = children[close].kind == Kind::scripts;
-    magnitude(inside, !has_scripts && begins_factor(children, close + 1, at_end));
-    if (has_scripts) subscript_and_powers(children[close]);
+    magnitude(inside, begins_factor(children, close + 1, at_end));
+    if (children[close].kind == Kind::scripts) subscript_and_powers(children[close]);
     return close;
   }
 
@@ -349,6 +348,7 @@ class FormulaSpeaker {
 
   /// A wide space parts what is said, unless a sign has done so.
   void pause(double em) {
+    last_is_upright_ = false;
     const bool parted =
         text_.empty() || std::string_view(",;:.").find(text_.back()) != std::string_view::npos;
     if (em >= kWideSpace && !parted) word(",");
@@ -365,6 +365,7 @@ class FormulaSpeaker {
 
   void symbol(const MathNode& n) {
     const char32_t c = n.character;
+    if (c == U'1' && n.alphabet == Alphabet::bold) return word(words::kUnitTensor);
     if (U'0' <= c && c <= U'9') {
       if (!last_is_digit_ && !text_.empty()) text_ += ' ';
       text_ += static_cast<char>(c);
@@ -389,9 +390,15 @@ class FormulaSpeaker {
       return word(words::kCapital.with(language_, {known}));
     }
     if (!known.empty()) return word(known);
+    // Upright letters are those of a word, or of a unit: kg.
+    const bool is_upright = n.alphabet == Alphabet::upright && n.atom == MathClass::ordinary;
     std::string letter;
     append_utf8(letter, c);
-    word(letter);
+    if (is_upright && last_is_upright_)
+      text_ += letter;
+    else
+      word(letter);
+    last_is_upright_ = is_upright;
   }
 
   void scripts(const MathNode& n) {
@@ -413,7 +420,11 @@ class FormulaSpeaker {
   }
 
   void subscript_and_powers(const MathNode& n) {
-    if (!n.children[1].absent()) aside(words::kSub, n.children[1]);
+    if (const MathNode& below = n.children[1]; !below.absent()) {
+      const MathNode& first = without_groups(below);
+      const bool is_number = is_digit(first.kind == Kind::row ? first.children.front() : first);
+      aside(is_number ? words::kSub : words::kSubLetter, below);
+    }
     powers(n);
   }
 
@@ -480,6 +491,12 @@ class FormulaSpeaker {
   }
 
   void accent(const MathNode& n) {
+    constexpr char32_t kDot = 0x0307, kTwoDots = 0x0308;
+    const bool is_rate = (n.character == kDot || n.character == kTwoDots) && has_vector(n.children[0]);
+    if (is_rate) {
+      word(n.character == kDot ? words::kTimeDerivativeOf : words::kSecondTimeDerivativeOf);
+      return node(n.children[0]);
+    }
     const Phrase* after = words_of(words::kAccents, n.character);
     if (after == nullptr) word(words::kVector);
     node(n.children[0]);
@@ -513,6 +530,7 @@ class FormulaSpeaker {
   Language language_;
   std::string text_;
   bool last_is_digit_ = false;
+  bool last_is_upright_ = false;
   /// Whether something multiplies what is said now.
   bool factor_follows_ = false;
 };

@@ -66,8 +66,13 @@ bool begins_number(const std::vector<MathNode>& atoms, std::size_t i) {
 
 /// Numbers of a list with decimals stand between semicolons then: (0,5; 1; 2).
 void put_decimal_commas(MathNode& node) {
+  // A decimal comma in TeX is {,}.
+  const auto is_mark = [](const MathNode& child) {
+    return child.character == U'.' || (child.kind == MathNode::Kind::row && child.children.size() == 1 &&
+                                       child.children.front().character == U',');
+  };
   const auto is_decimal = [&](std::size_t i) {
-    return i > 0 && i + 1 < node.children.size() && node.children[i].character == U'.' &&
+    return i > 0 && i + 1 < node.children.size() && is_mark(node.children[i]) &&
            is_digit(without_scripts(node.children[i - 1])) && is_digit(without_scripts(node.children[i + 1]));
   };
   bool has_decimals = false;
@@ -76,6 +81,7 @@ void put_decimal_commas(MathNode& node) {
     MathNode& child = node.children[i];
     put_decimal_commas(child);
     if (is_decimal(i)) {
+      if (child.kind == MathNode::Kind::row) child = MathNode(child.children.front());
       child.character = U',';
       child.atom = MathClass::ordinary;
     } else if (has_decimals && child.kind == Kind::symbol && child.character == U',' &&

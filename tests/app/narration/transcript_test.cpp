@@ -183,7 +183,7 @@ TEST(SpeechText, SaysLettersInLinesOfText) {
   EXPECT_EQ(spoken_prose("The vector $\\vec\\omega$"), "The vector omega");
   EXPECT_EQ(spoken_prose("The **vector** $\\vec\\omega$"), "The vector omega");
   EXPECT_EQ(spoken_prose("Rotovector$\\vec\\omega$"), "Rotovectorvector omega") << "another word";
-  EXPECT_EQ(spoken_prose("$\\omega = |\\vec\\omega|$"), "omega equals the magnitude of vector omega");
+  EXPECT_EQ(spoken_prose("$\\omega = |\\vec\\omega|$"), "omega equals magnitude of vector omega");
   EXPECT_EQ(spoken_prose("$e$ is"), "e is");
   EXPECT_EQ(spoken_prose("In $S$ $S$ is"), "In S S is");
 }

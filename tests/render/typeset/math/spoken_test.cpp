@@ -28,7 +28,7 @@ std::string said_in_german(std::string_view tex) { return said(tex, Language::de
 
 TEST(SpokenMath, IsWhatAReaderWouldSay) {
   EXPECT_EQ(said("I_1\\dot\\omega_1"), "I sub 1 omega dot sub 1");
-  EXPECT_EQ(said("\\dot{\\vec\\omega}"), "omega vector dot");
+  EXPECT_EQ(said("\\dot{\\vec\\omega}"), "the time derivative of omega vector");
   EXPECT_EQ(said("x^2 + y^3 = 12.5"), "x squared plus y cubed equals 12.5");
   EXPECT_EQ(said("\\vec F"), "vector F");
   EXPECT_EQ(said("x = 90^\\circ"), "x equals 90 degrees");
@@ -90,15 +90,16 @@ TEST(SpokenMath, RootsAndPowersSayWhereTheyEnd) {
 }
 
 TEST(SpokenMath, AMagnitudeOfMoreThanOneSaysWhereItEnds) {
-  EXPECT_EQ(said("|\\vec L|^2"), "the magnitude of angular momentum squared");
-  EXPECT_EQ(said("|x|_2^2"), "the magnitude of x sub 2 squared");
-  EXPECT_EQ(said("|\\vec F| = F"), "the magnitude of vector F equals F");
+  EXPECT_EQ(said("|\\vec L|^2"), "magnitude of angular momentum squared");
+  EXPECT_EQ(said("|x|_2^2"), "magnitude of x sub 2 squared");
+  EXPECT_EQ(said("|\\vec F| = F"), "magnitude of vector F equals F");
   EXPECT_EQ(said("|\\vec\\omega\\times\\vec L| = 1"),
-            "the magnitude of omega vector cross angular momentum end of magnitude equals 1");
+            "magnitude of omega vector cross angular momentum end of magnitude equals 1");
   EXPECT_EQ(said("\\left|\\vec\\omega\\times\\vec L\\right|"),
-            "the magnitude of omega vector cross angular momentum end of magnitude");
-  EXPECT_EQ(said("|a|\\,b"), "the magnitude of a end of magnitude b");
-  EXPECT_EQ(said("|a|\\,|b|"), "the magnitude of a end of magnitude the magnitude of b");
+            "magnitude of omega vector cross angular momentum end of magnitude");
+  EXPECT_EQ(said("|a|^2\\,b"), "magnitude of a end of magnitude squared b");
+  EXPECT_EQ(said("|a|\\,b"), "magnitude of a end of magnitude b");
+  EXPECT_EQ(said("|a|\\,|b|"), "magnitude of a end of magnitude magnitude of b");
   EXPECT_EQ(said_in_german("|a + b|"), "Betrag von a plus b Ende des Betrags");
 }
 
@@ -110,7 +111,7 @@ TEST(SpokenMath, NumbersAreMultipliedByTimes) {
   EXPECT_EQ(said("\\omega_1\\cdot\\omega_2"), "omega sub 1 times omega sub 2");
   EXPECT_EQ(said("2\\cdot\\vec L"), "2 times angular momentum");
   EXPECT_EQ(said("|\\vec L|\\cdot|\\vec\\omega|"),
-            "the magnitude of angular momentum end of magnitude times the magnitude of omega vector");
+            "magnitude of angular momentum end of magnitude times magnitude of omega vector");
   EXPECT_EQ(said_in_german("3\\times 4"), "3 mal 4");
 }
 
@@ -123,6 +124,38 @@ TEST(SpokenMath, VectorsHaveADotAndACross) {
   EXPECT_EQ(said("\\nabla\\times\\vec F"), "nabla cross vector F");
   EXPECT_EQ(said("\\vec F\\cdot d\\vec r"), "vector F dot d vector r");
   EXPECT_EQ(said("\\times\\vec F"), "cross vector F") << "a line that goes on";
+}
+
+// 28 November 2026: "I dot vector omega dot plus vector omega cross …" was İ·ω or I·ω·(…) to who heard it.
+TEST(SpokenMath, ARateOfAVectorIsNoHalfOfAScalarProduct) {
+  EXPECT_EQ(said("\\mathbf I\\cdot\\dot{\\vec\\omega}+\\vec N"),
+            "I dot the time derivative of omega vector plus vector N");
+  EXPECT_EQ(said("\\dot{\\vec r}_i"), "the time derivative of vector r sub i");
+  EXPECT_EQ(said("\\ddot{\\vec r}"), "the second time derivative of vector r");
+  EXPECT_EQ(said("\\ddot\\omega_1"), "omega double dot sub 1");
+  EXPECT_EQ(said_in_german("\\dot{\\vec r}_i"), "Zeitableitung von Vektor r Index i");
+}
+
+TEST(SpokenMath, AnIndexThatIsNoNumberIsSaidToBeOneInGerman) {
+  EXPECT_EQ(said_in_german("5\\,t_f"), "5 t Index f");
+  EXPECT_EQ(said_in_german("I_i\\,\\omega_i"), "I Index i Omega Index i");
+  EXPECT_EQ(said_in_german("I_3"), "I 3");
+}
+
+TEST(SpokenMath, ABoldOneIsTheUnitTensor) {
+  EXPECT_EQ(said("r^2\\,\\mathbf 1"), "r squared the unit tensor");
+  EXPECT_EQ(said("\\mathbf I = I_1\\mathbf{1}"), "I equals I sub 1 the unit tensor");
+}
+
+TEST(SpokenMath, UprightLettersAreThoseOfAUnit) {
+  EXPECT_EQ(said("5\\,\\mathrm{kg^2\\,m^4/s^2}"), "5 kg squared m to the power 4 over s squared");
+  EXPECT_EQ(said("5\\,\\mathrm{N\\,m}"), "5 N m");
+}
+
+TEST(SpokenMath, ADecimalCommaPartsNoNumberInTwo) {
+  EXPECT_EQ(said_in_german("(0, 0, -0{,}25)"), "Klammer auf 0; 0; minus 0,25 Klammer zu");
+  EXPECT_EQ(said_in_german("(0, 0, -0.25)"), "Klammer auf 0; 0; minus 0,25 Klammer zu");
+  EXPECT_EQ(said_in_german("x_{1,2}"), "x 1, 2");
 }
 
 TEST(SpokenMath, SaysSomethingOfEveryFormula) {
