@@ -25,13 +25,18 @@ bool shows_momentum_space(const OverlaySet& show) {
          (show.contains(Overlay::momentum_sphere) && !show.contains(Overlay::energy_ellipsoid));
 }
 
+/// That which the picture is fitted to: a hand may have taken another since.
+const Vec3& fitted_w0_B(const Scene& scene) {
+  const std::optional<CameraFit>& kept = scene.camera.fitted;
+  return kept && kept->w0_B ? *kept->w0_B : scene.w0_B;
+}
+
 /// ω-space is drawn with the energy ellipsoid's longest semi-axis at 1. Around a solid body alone ω is drawn
 /// a little longer than the body, so that its tip can be seen. In a frame that is kept from another ω its
 /// scale is kept too.
 double omega_scale_of(const Scene& scene) {
   constexpr double kBesideSolid = 1.15;
-  const std::optional<CameraFit>& kept = scene.camera.fitted;
-  const Vec3& w0_B = kept && kept->w0_B ? *kept->w0_B : scene.w0_B;
+  const Vec3& w0_B = fitted_w0_B(scene);
   const double speed = norm_of(w0_B);
   if (speed == 0.0) return 1.0;
   if (scene.show.contains(Overlay::shape) && !scene.show.contains(Overlay::energy_ellipsoid))
@@ -46,22 +51,29 @@ double L_scale_of(const Scene& scene) {
 }
 
 /// A fixed length along the direction of L: past the plane where there is one, so that one sees it stand
-/// upright.
+/// upright. That of the ω that the picture is fitted to: what a hand makes of L is longer or shorter than it.
 double L_length_of(const Scene& scene, double omega_scale, double L_scale) {
   constexpr double kLength = 1.3;
   constexpr double kPastThePlane = 0.42;
   const PrincipalMoments& I = scene.body.moments;
-  if (scene.w0_B.isZero(0.0)) return kLength;
-  if (L_scale > 0.0) return L_scale * norm_of(angular_momentum_B(I, scene.w0_B));
+  const Vec3& w0_B = fitted_w0_B(scene);
+  if (w0_B.isZero(0.0)) return kLength;
+  if (L_scale > 0.0) return L_scale * norm_of(angular_momentum_B(I, w0_B));
   if (!scene.show.contains(Overlay::plane)) return kLength;
-  return invariable_plane_distance(I, scene.w0_B) * omega_scale + kPastThePlane;
+  return invariable_plane_distance(I, w0_B) * omega_scale + kPastThePlane;
+}
+
+double L_reference_of(const SceneModel& model) {
+  const std::optional<CameraFit>& kept = model.scene.camera.fitted;
+  return kept && kept->w0_B ? norm_of(angular_momentum_B(model.scene.body.moments, *kept->w0_B))
+                            : model.L_reference;
 }
 
 }  // namespace
 
 Vec3 Snapshot::L_drawn_B(const Vec3& any_L_B) const {
-  if (model.L_reference == 0.0) return Vec3::Zero();
-  return any_L_B * (L_length / model.L_reference);
+  if (L_reference == 0.0) return Vec3::Zero();
+  return any_L_B * (L_length / L_reference);
 }
 
 double Snapshot::emphasis(Overlay o) const {
@@ -88,6 +100,7 @@ Snapshot snapshot_in(const SceneModel& model, double t_s, View view, const Rigid
              .omega_scale = omega_scale,
              .L_scale = L_scale,
              .L_length = L_length_of(scene, omega_scale, L_scale),
+             .L_reference = L_reference_of(model),
              .thickness = scene.views.size() > 1 ? 1.15 : 1.0};
   m.center_V = center_of_mass_V(m, t_s);
   return m;

@@ -69,7 +69,7 @@ Image picture(const Asked& asked) {
   for (const auto& change : asked.changes) change(session);
   constexpr int kSettled = 4;
   for (int i = 0; i < kSettled; ++i) {
-    ImGui::GetIO().MousePos = {asked.x, asked.y};
+    ImGui::GetIO().MousePos = {asked.x - (i == 0 ? 1 : 0), asked.y};  // what lies still is told nothing
     const Status drawn =
         (*screen)->draw(session, {.size = asked.size, .scale = asked.scale, .seconds = 0.02});
     if (!drawn) throw std::runtime_error(drawn.error());

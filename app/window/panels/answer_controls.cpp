@@ -6,6 +6,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace polhode {
@@ -38,9 +39,16 @@ bool text_field(PanelContext& context, const char* id, const char* form, const c
 }
 
 void say_who_has_keys(const PanelContext& context) {
-  quiet_words(ImGui::GetIO().WantTextInput ? "Keys go to the answer. Escape: back to the page."
-              : context.has_keys           ? "Keys go to this panel, Tab to the answer. F6: back to the page."
-                                 : "Keys go to the page: ← → walk, Space plays. F6: to this panel.");
+  constexpr const char* kSaid[] = {"Keys go to the answer. Escape: back to the page.",
+                                   "Keys go to this panel, Tab to the answer. F6: back to the page.",
+                                   "Keys go to the page: ← → walk, Space plays. F6: to this panel."};
+  // The buttons below stay where they are while the pointer presses one, whoever has the keys then.
+  const float top = ImGui::GetCursorPosY(), width = ImGui::GetContentRegionAvail().x;
+  float tallest = 0;
+  for (const char* said : kSaid)
+    tallest = std::max(tallest, ImGui::CalcTextSize(said, nullptr, false, width).y);
+  quiet_words(kSaid[ImGui::GetIO().WantTextInput ? 0 : context.has_keys ? 1 : 2]);
+  ImGui::SetCursorPosY(top + tallest + ImGui::GetStyle().ItemSpacing.y);
 }
 
 void show_it_button(PanelContext& context, const Counterexample& counter) {

@@ -131,7 +131,7 @@ void Screen::adopt_style(const LessonSession& session, const ScreenFrame& frame)
 }
 
 /// Where so little of the figure would be left beside it that one sees nothing, it takes the figure's whole
-/// side, as the last frame had it.
+/// side, as the last frame had it; but while a motion answers a question, it gives way to that.
 float Screen::panel_width(const LessonSession& session, Size size) const {
   const auto width = static_cast<float>(size.width);
   if (session.panel == Panel::none) return 0;
@@ -141,7 +141,11 @@ float Screen::panel_width(const LessonSession& session, Size size) const {
   const auto text = static_cast<float>(page.meters.x0);  // its end, with the gutter
   const bool is_beside = session.has_scene() && !session.is_enlarged() && page.ceiling <= 0 && text > 0;
   const bool leaves_nothing = width - wished - text < static_cast<float>(page.least_figure);
-  return is_beside && leaves_nothing && text < 0.8F * width ? width - text : wished;
+  if (!is_beside || !leaves_nothing || text >= 0.8F * width) return wished;
+  const auto questions = session.questions();
+  const bool answers =
+      std::ranges::any_of(questions, [&](const Ask* ask) { return session.is_awaited(*ask); });
+  return answers ? 0 : width - text;
 }
 
 /// What the bar leaves. A panel lies over the figure's side: nothing of the text moves.

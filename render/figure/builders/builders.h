@@ -40,8 +40,9 @@ struct Snapshot {
   double omega_scale;
   /// Scene units per kg m²/s where the scene shows L-space (a momentum sphere or ellipsoid); 0 otherwise.
   double L_scale;
-  double L_length;   ///< of the arrow of L where |L| is the model's L_reference, scene units
-  double thickness;  ///< of lines, relative to the standard; thinner where there is more to see
+  double L_length;     ///< of the arrow of L where |L| is L_reference, scene units
+  double L_reference;  ///< the model's, or that of the ω that the picture is fitted to
+  double thickness;    ///< of lines, relative to the standard; thinner where there is more to see
   /// From S's origin to the centre of mass, which is where all is drawn; zero in the body view.
   Vec3 center_V = Vec3::Zero();
   std::optional<Turn> turn = {};  ///< of the pane of one of the turn orders

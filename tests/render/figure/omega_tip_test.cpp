@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/figure/omega_tip.h"
 
+#include "render/figure/builders/builders.h"
 #include "render/figure/make_figure.h"
 
 #include <gtest/gtest.h>
@@ -92,6 +93,23 @@ TEST(OmegaTip, OfATrialWhoseKeptOmegaCannotBeHasTheFrameOfTheScene) {
   const SceneModel model = make_model(scene);
   EXPECT_EQ(model.framed, nullptr);
   EXPECT_TRUE(TrialOmega(model, 0, 1.0).at(Vec3(0, 1, 1)));
+}
+
+// 2026-11-28: while ω was pulled, the arrow of L grew although |L| had become smaller.
+TEST(OmegaTip, AHandThatTakesOmegaLeavesTheScaleOfL) {
+  for (const OverlaySet& show :
+       {OverlaySet{O::omega, O::L}, OverlaySet{O::omega, O::L, O::energy_ellipsoid, O::plane}}) {
+    Scene scene = scene_with(show, {View::space});
+    const auto length_per_L = [](const Scene& drawn) {
+      const SceneModel model = make_model(drawn);
+      const builders::Snapshot m = builders::snapshot_at(model, 0, View::space);
+      return m.L_drawn_B(m.L_B).norm() / m.L_B.norm();
+    };
+    const double before = length_per_L(scene);
+    scene.camera.fitted = CameraFit{scene.camera.azimuth_rad, scene.camera.elevation_rad, scene.w0_B};
+    scene.w0_B = Vec3(0.4, 0.3, 0.2);
+    EXPECT_NEAR(length_per_L(scene), before, 1e-12 * before);
+  }
 }
 
 TEST(OmegaTip, IsNotWhereNoOmegaIsDrawn) {

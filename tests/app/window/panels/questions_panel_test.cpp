@@ -458,6 +458,31 @@ TEST_F(QuestionsPanelTest, WhileTheMotionAnswersALetterIsNoCommand) {
   EXPECT_EQ(screen->notice(), "") << "it was of the step before";
 }
 
+// 2026-11-28: in a small window the panel lay over all of the figure whose motion answered.
+TEST_F(QuestionsPanelTest, InASmallWindowThePanelGivesWayToTheMotionThatAnswers) {
+  session.preferences.reduced_motion = false;
+  const Ask& ask = go_to_question("opening");
+  const auto draw = [&] {
+    for (int i = 0; i < 3; ++i)
+      ASSERT_TRUE(screen->draw(session, {.size = {800, 560}, .scale = 1, .seconds = 0.02}));
+  };
+  const auto is_drawn = [] {
+    const ImGuiWindow* panel = ImGui::FindWindowByName("panel");
+    return panel != nullptr && panel->Active;
+  };
+  screen->press(session, "Q");
+  draw();
+  EXPECT_TRUE(is_drawn());
+  ASSERT_TRUE(screen->press(session, "A"));
+  draw();
+  ASSERT_TRUE(session.is_awaited(ask));
+  EXPECT_FALSE(is_drawn());
+  EXPECT_GT(screen->page().page().figure.width(), 200);
+  session.end_play();
+  draw();
+  EXPECT_TRUE(is_drawn()) << "with the verdict";
+}
+
 TEST_F(QuestionsPanelTest, ChoicesOnThePageAreReachedByTab) {
   const Ask& ask = go_to_question("no-torque");
   frame(3);
