@@ -174,8 +174,7 @@ class DrawnVectors {
     if (longest == 0.0) return 0.0;
     if (arrow != nullptr && arrow->length) return *arrow->length / longest;
     if (vector.overlay == Overlay::omega) return m_.omega_scale;
-    if (vector.overlay == Overlay::L)
-      return m_.L_reference > 0.0 ? m_.L_length / m_.L_reference : 0.0;
+    if (vector.overlay == Overlay::L) return m_.L_reference > 0.0 ? m_.L_length / m_.L_reference : 0.0;
     if (vector.overlay == Overlay::N) return kTorqueLength / longest;
     constexpr double kMostAsItIs = 2;
     return vector.is_number && longest <= kMostAsItIs ? 1.0 : kArrowLength / longest;
