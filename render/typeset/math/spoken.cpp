@@ -247,7 +247,6 @@ class FormulaSpeaker {
     if (symbols_.of(inner) != nullptr) return true;
     switch (inner.kind) {
       case Kind::symbol:
-        return inner.atom != MathClass::large;
       case Kind::text:
         return inner.atom != MathClass::large;
       case Kind::accent:
