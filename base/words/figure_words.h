@@ -13,8 +13,6 @@ inline constexpr Phrase kPolhode{"polhode", "Polhodie"};
 inline constexpr Phrase kHerpolhode{"herpolhode", "Herpolhodie"};
 inline constexpr Phrase kSeparatrix{"separatrix", "Separatrix"};
 inline constexpr Phrase kInvariablePlane{"invariable plane", "invariable Ebene"};
-inline constexpr Phrase kConstT{"$2T$ = const.", "$2T$ = const."};
-inline constexpr Phrase kConstL{"$|\\vec L|$ = const.", "$|\\vec L|$ = const."};
 inline constexpr Phrase kBodyCone{"body cone", "Gangpolkegel"};
 inline constexpr Phrase kSpaceCone{"space cone", "Rastpolkegel"};
 inline constexpr Phrase kExactL{"$\\vec L$ exact", "$\\vec L$ exakt"};

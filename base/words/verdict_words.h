@@ -57,7 +57,6 @@ inline constexpr Phrase kPremiseHolds{"at {0} the premise holds, and {1}",
 inline constexpr Phrase kForExampleAt{"for example at {0}: {1}", "zum Beispiel bei {0}: {1}"};
 inline constexpr Phrase kAnyState{"any state", "jedem Zustand"};
 inline constexpr Phrase kAttitude{"attitude", "Lage"};
-inline constexpr Phrase kInFrame{"in {0} ", "in {0} "};
 inline constexpr Phrase kToWithin{"to within {0} %", "auf {0} % genau"};
 inline constexpr Phrase kHasNoValue{"has no value at some time", "hat zeitweise keinen Wert"};
 inline constexpr Phrase kStepTooLong{"the step is too long to tell",
