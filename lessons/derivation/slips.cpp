@@ -224,8 +224,8 @@ class SlipSearch {
           ExpressionNode other = n;
           other.integer = axis;
           const Rewriting::Change change = [&](Rewriting& r, const ExpressionNode&) { return r.copy(other); };
-          if (axis != n.integer && try_change(which, node, change, Slip::index,
-                                              "an index in " + place_of(which, node) + " is not right"))
+          if (axis != n.integer && try_index(which, node, change, Slip::index,
+                                             "an index in " + place_of(which, node) + " is not right"))
             return true;
         }
         return false;
@@ -236,12 +236,32 @@ class SlipSearch {
         const Rewriting::Change change = [&](Rewriting& r, const ExpressionNode&) {
           return std::optional(r.quantity(on_axis(axis->first, other)));
         };
-        if (other != axis->second && try_change(which, node, change, Slip::index,
-                                                "an index in " + place_of(which, node) + " is not right"))
+        if (other != axis->second && try_index(which, node, change, Slip::index,
+                                               "an index in " + place_of(which, node) + " is not right"))
           return true;
       }
       return false;
     });
+  }
+
+  /// Of Ṫ = (I₂ − I₃)ω₁ω₂ω₃ another index leaves Ṫ = 0, which is true; but it was terms that were missing. So
+  /// what stands around the index has to stay.
+  bool try_index(int which, int node, const Rewriting::Change& change, Slip slip, const std::string& reason) {
+    if (!try_change(which, node, change, slip, reason)) return false;
+    const auto term = Rewriting(part_of(which, term_around(which, node)), node, change).write();
+    return term && !holds_({*term, zero_expression()});
+  }
+
+  /// The summand of the whole side that a node belongs to.
+  int term_around(int which, int node) const {
+    int at = whole(which);
+    while (at != node) {
+      const ExpressionNode& n = node_at(which, at);
+      const bool is_sum = n.operation == O::add || n.operation == O::subtract;
+      if (!is_sum && n.operation != O::negate) break;
+      at = is_sum && node > n.a ? n.b : n.a;
+    }
+    return at;
   }
 
   bool frame() {
@@ -298,11 +318,15 @@ class SlipSearch {
     return n.operation == O::quantity && (n.quantity == Q::I1 || n.quantity == Q::I2 || n.quantity == Q::I3);
   }
 
+  /// What a node stands for.
+  Expression part_of(int which, int node) const {
+    const Expression& whole = side(which);
+    return {whole.text + " part", {whole.nodes.begin(), whole.nodes.begin() + node + 1}, whole.constants};
+  }
+
   /// Whether what a node stands for does not change on any motion that is allowed.
   bool is_constant(int which, int node) const {
-    const Expression& whole = side(which);
-    const Expression part{
-        whole.text + " part", {whole.nodes.begin(), whole.nodes.begin() + node + 1}, whole.constants};
+    const Expression part = part_of(which, node);
     const Rewriting::Change rate = [](Rewriting& r, const ExpressionNode& n) -> std::optional<int> {
       const auto same = r.copy(n);
       return same ? r.call(O::ddt, *same) : std::nullopt;
@@ -471,8 +495,8 @@ class SlipSearch {
           const Rewriting::Change change = [&](Rewriting& r, const ExpressionNode& n) {
             return permuted(r, side(which), n, permutation, family);
           };
-          if (try_change(which, term, change, Slip::indices,
-                         "the indices in " + in_quotes(typing_of(side(which), term)) + " are mixed up"))
+          if (try_index(which, term, change, Slip::indices,
+                        "the indices in " + in_quotes(typing_of(side(which), term)) + " are mixed up"))
             return true;
         }
         return false;

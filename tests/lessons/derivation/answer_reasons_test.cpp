@@ -297,6 +297,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Slipped{"I1*w1", "I2*w1", "index"},
                       Slipped{"(N2 - w3*w1*(I1 - I3))/I2", "(N2 - w3*w1*(I1 - I3))/I3", "index"},
                       Slipped{"(N2 - w3*w1*(I1 - I3))/I2", "(N1 - w3*w1*(I1 - I3))/I2", "index"},
+                      // I3 - I3 would be true as well, but no index is wrong.
+                      Slipped{"w1*w2*w3*(I2 - I3 + I3 - I1 + I1 - I2)", "w1*w2*w3*(I2 - I3)", "other"},
                       Slipped{"N1*w1 + N2*w2 + N3*w3", "N1*w1 + N2*w2", "missing"},
                       Slipped{"N1*w1 + N2*w2 + N3*w3", "N1*w1 + N2*w2 + N3*w2", "index"},
                       Slipped{"(N2 - w3*w1*(I1 - I3))/I2", "N2/I2", "missing"},
