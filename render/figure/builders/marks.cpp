@@ -153,6 +153,15 @@ class DrawnVectors {
     return m_.model.courses.at(vector.quantity.fingerprint);
   }
 
+  /// In a frame that is kept from another ω the scale is kept too, as that of ω and L is: what grows is seen
+  /// to.
+  double longest_of(const MarkVector& vector) const {
+    const double own = course_of(vector).longest;
+    if (own == 0.0 || !m_.model.framed) return own;
+    const double kept = m_.model.framed->courses.at(vector.quantity.fingerprint).longest;
+    return kept > 0.0 ? kept : own;
+  }
+
   /// The arrow of N stands on the tip of L, whose velocity it is.
   bool stands_on_L(const MarkVector& vector) const {
     return vector.overlay == Overlay::N && m_.shows(Overlay::N) && m_.shows(Overlay::L);
@@ -170,7 +179,7 @@ class DrawnVectors {
       });
       return scale(*arrow->like, own == arrows_.end() ? nullptr : &*own);
     }
-    const double longest = course_of(vector).longest;
+    const double longest = longest_of(vector);
     if (longest == 0.0) return 0.0;
     if (arrow != nullptr && arrow->length) return *arrow->length / longest;
     if (vector.overlay == Overlay::omega) return m_.omega_scale;

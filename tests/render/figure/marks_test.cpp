@@ -85,6 +85,24 @@ TEST(Marks, WhatIsLongestOverTheDurationHasTheLengthAskedFor) {
   }
 }
 
+// 2026-11-28: a hand took ω to another length, and an arrow of a given length stayed as long.
+TEST(Marks, AHandThatTakesOmegaLeavesTheirScale) {
+  Scene scene = scene_with({.arrows = {{.of = omega_vector(), .length = 1.4}, {.of = rate_of_e3()}}});
+  const auto lengths = [](const Scene& drawn) {
+    const DrawList list = list_of(drawn, 0.0);
+    std::vector<double> found;
+    for (const Arrow& arrow : list.arrows) found.push_back(along(arrow).norm());
+    return found;
+  };
+  const std::vector<double> before = lengths(scene);
+  scene.camera.fitted = CameraFit{scene.camera.azimuth_rad, scene.camera.elevation_rad, scene.w0_B};
+  scene.w0_B *= 0.5;
+  const std::vector<double> halved = lengths(scene);
+  ASSERT_EQ(before.size(), 2U);
+  ASSERT_EQ(halved.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(halved[k], 0.5 * before[k], 4 * kRounding);
+}
+
 TEST(Marks, WithoutALengthItIsTheUsualOne) {
   Scene scene = scene_with({.arrows = {{.of = rate_of_e3()}}});
   scene.duration_s = 6.4;
