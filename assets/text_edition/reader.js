@@ -135,6 +135,12 @@
     }
   };
   letScroll();
+
+  // Paper is light: what was chosen for a dark screen is chosen again, which browsers do not do by themselves.
+  const choices = [...document.querySelectorAll("picture > source")].map((source) => [source, source.media]);
+  addEventListener("beforeprint", () => choices.forEach(([source]) => { source.media = "not all"; }));
+  addEventListener("afterprint", () => choices.forEach(([source, media]) => { source.media = media; }));
+
   let waits = 0;
   addEventListener("resize", () => {
     clearTimeout(waits);

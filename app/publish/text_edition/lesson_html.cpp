@@ -87,7 +87,7 @@ std::size_t unit_at(std::string_view text) {
     next = std::min(text.find_first_of(kEnds, next), text.size());
     std::string_view unit = text.substr(0, next);
     if (unit.ends_with('.')) unit.remove_suffix(1);
-    if (unit.empty() || is_digit(unit.front()) || !scaled_unit(unit)) break;
+    if (unit.empty() || is_digit(unit.front()) || !(unit == "%" || scaled_unit(unit))) break;
     end = unit.size();
     if (next == text.size() || text[next] != ' ') break;
     ++next;
@@ -95,22 +95,46 @@ std::size_t unit_at(std::string_view text) {
   return end;
 }
 
-/// No line breaks between a number and its unit, nor within that.
-std::string with_units_kept(std::string_view text) {
+/// "3" of "axis 3", which tells one of several: one or two digits alone.
+bool begins_with_place(std::string_view text) {
+  std::size_t digits = 0;
+  while (digits < text.size() && is_digit(text[digits])) ++digits;
+  const std::string_view behind = text.substr(digits);
+  const bool goes_on =
+      !behind.empty() && (is_letter(behind[0]) || (behind.size() > 1 && is_digit(behind[1])));
+  return (digits == 1 || digits == 2) && !goes_on;
+}
+
+/// A straight quotation mark opens after a space or a bracket, and closes after anything else.
+std::string_view curled(char mark, std::string_view before) {
+  const bool opens =
+      before.empty() || std::string_view(" \n([").find(before.back()) != std::string_view::npos;
+  if (mark == '"') return opens ? "\u201C" : "\u201D";
+  return opens ? "\u2018" : "\u2019";
+}
+
+/// Words as they are set: no line breaks between a number and its unit, nor within that, nor between "axis"
+/// and "3"; quotation marks are curled. `before` is what stands before them in the line; a formula there may
+/// be a number.
+std::string as_set(std::string_view text, std::string_view before, bool is_behind_formula) {
   constexpr std::string_view kNoBreak = "\u00A0";
-  std::string kept;
+  std::string set;
   for (std::size_t at = 0; at < text.size(); ++at) {
-    const bool is_behind_number = text[at] == ' ' && at > 0 && is_digit(text[at - 1]);
-    const std::size_t unit = is_behind_number ? unit_at(text.substr(at + 1)) : 0;
-    if (unit == 0) {
-      kept += text[at];
+    const char c = text[at];
+    if (c == '\'' || c == '"') {
+      set += curled(c, at > 0 ? text.substr(0, at) : is_behind_formula ? "$" : before);
       continue;
     }
-    kept += kNoBreak;
-    for (const char c : text.substr(at + 1, unit)) kept += c == ' ' ? kNoBreak : std::string_view(&c, 1);
+    const bool is_behind_number = at > 0 ? is_digit(text[at - 1]) : is_behind_formula;
+    const std::string_view behind = text.substr(at + 1);
+    const std::size_t unit = c == ' ' && is_behind_number ? unit_at(behind) : 0;
+    const bool is_before_place = c == ' ' && at > 0 && is_letter(text[at - 1]) && begins_with_place(behind);
+    set += unit > 0 || is_before_place ? kNoBreak : text.substr(at, 1);
+    for (const char of_unit : behind.substr(0, unit))
+      set += of_unit == ' ' ? kNoBreak : std::string_view(&of_unit, 1);
     at += unit;
   }
-  return kept;
+  return set;
 }
 
 /// The lists that are open, one in an item of the other.
@@ -258,13 +282,14 @@ std::string LessonHtml::note_mark(const TextSpan& span) const {
   return {};
 }
 
-std::string LessonHtml::span(const TextSpan& span, std::string_view before) const {
+std::string LessonHtml::span(const TextSpan& span, std::string_view before, bool is_behind_formula) const {
   std::string html;
   if (span.kind == TextSpan::Kind::math) {
     html = formula_in_line(span.math, span.text, before);
   } else {
     html = note_mark(span);
-    if (html.empty()) html = html_escaped(span.code ? span.text : with_units_kept(span.text));
+    if (html.empty())
+      html = html_escaped(span.code ? span.text : as_set(span.text, before, is_behind_formula));
   }
   if (span.code) html = "<code>" + html + "</code>";
   if (span.italic) html = "<em>" + html + "</em>";
@@ -281,7 +306,8 @@ std::string LessonHtml::spans(const std::vector<TextSpan>& all) const {
     // One link for all that it holds, a formula too.
     const std::size_t first = i;
     for (; i < all.size() && (i == first || (!address.empty() && all[i].link == link)); ++i) {
-      html += span(all[i], before);
+      const bool is_behind_formula = i > 0 && all[i - 1].kind == TextSpan::Kind::math;
+      html += span(all[i], before, is_behind_formula);
       before = all[i].kind == TextSpan::Kind::math ? "" : before + all[i].text;
       if (all[i].break_after) html += "<br/>\n";
     }
@@ -344,7 +370,7 @@ std::string LessonHtml::line(std::string_view words) const {
   const auto add_words = [&](std::string_view plain) {
     std::string text(plain);
     for (std::size_t at = 0; (at = text.find("\\$", at)) != text.npos; ++at) text.erase(at, 1);
-    html += html_escaped(with_units_kept(text));
+    html += html_escaped(as_set(text, "", !html.empty()));
   };
   std::size_t at = 0;
   for (const SourceSpan& found : formulas_of_line(words)) {
