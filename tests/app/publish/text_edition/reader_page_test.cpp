@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <regex>
 #include <set>
 
 namespace polhode {
@@ -54,11 +55,12 @@ const Edition& edition() {
   return kEdition;
 }
 
-/// With one blank where there are several, and none at the ends.
-std::string one_line(std::string_view text) {
+/// With one blank where there are several, and none at the ends; apostrophes as they are typed.
+std::string one_line(std::string_view set) {
+  const std::string text = std::regex_replace(std::string(set), std::regex("\u2019"), "'");
   std::string line;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_nbsp = text.substr(i).starts_with("\u00A0");
+    const bool is_nbsp = std::string_view(text).substr(i).starts_with("\u00A0");
     if (is_nbsp) ++i;
     if (!is_nbsp && text[i] != ' ' && text[i] != '\n')
       line += text[i];
@@ -349,6 +351,20 @@ TEST(Reader, MarksAndUnitsStayBesideTheirFormulas) {
   ASSERT_GE(words.size(), 4u);
   words.resize(4);
   EXPECT_THAT(words, ElementsAre("(b),", "c\u00A0kg", "fg", "3.01 rad/s."));
+}
+
+TEST(Reader, LinesEndNeitherInAUnitNorBeforeTheNumberOfAnAxis) {
+  std::string lesson = kEditionLesson;
+  const std::string first = "First **words**";
+  lesson.replace(
+      lesson.find(first), first.size(),
+      "Euler's axis 3, axes 1 and 12; in 1996 some 20 bodies, 2 % of them, of $a$ kg m², $b$ each, at 3 m");
+  const Edition page(lesson);
+  std::string words;
+  add_words(page.root, words);
+  EXPECT_THAT(words,
+              HasSubstr("Euler\u2019s axis\u00A03, axes\u00A01 and\u00A012; in 1996 some\u00A020 bodies, "
+                        "2\u00A0% of them, of a\u00A0kg\u00A0m², b each, at\u00A03\u00A0m"));
 }
 
 TEST(Reader, TheTexToCopyHasItsNumbers) {
