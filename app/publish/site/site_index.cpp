@@ -25,21 +25,34 @@ std::string language_of(const Lesson& lesson, Language of_page) {
   return language == of_page ? "" : fmt::format(" lang=\"{}\"", tag_of(language));
 }
 
-const Lesson* find(const std::vector<SiteIndexLesson>& lessons, const std::string& id) {
+/// In this language if it is there in it.
+const Lesson* find(const std::vector<SiteIndexLesson>& lessons, const std::string& id, Language language) {
+  const Lesson* found = nullptr;
   for (const SiteIndexLesson& one : lessons)
-    if (one.lesson.id == id) return &one.lesson;
-  return nullptr;
+    if (one.lesson.id == id && (found == nullptr || one.lesson.about.language == language))
+      found = &one.lesson;
+  return found;
 }
 
-std::string link_to(const Lesson& lesson) {
-  return fmt::format("<a href=\"{}.html\">{}</a>", html_escaped(page_name(lesson.id, lesson.about.language)),
+/// From 1; a translation has the number of its original.
+std::size_t number_in_course(const std::vector<SiteIndexLesson>& lessons, std::size_t i) {
+  std::vector<std::string> ids;
+  for (std::size_t k = 0; k <= i; ++k)
+    if (std::ranges::find(ids, lessons[k].lesson.id) == ids.end()) ids.push_back(lessons[k].lesson.id);
+  return static_cast<std::size_t>(std::ranges::find(ids, lessons[i].lesson.id) - ids.begin()) + 1;
+}
+
+std::string link_to(const Lesson& lesson, Language of_page) {
+  return fmt::format("<a href=\"{}.html\"{}>{}</a>",
+                     html_escaped(page_name(lesson.id, lesson.about.language)), language_of(lesson, of_page),
                      html_escaped(lesson.title));
 }
 
 /// A line of what one should know; it may be another lesson.
-std::string prerequisite(const std::vector<SiteIndexLesson>& lessons, const std::string& line) {
-  const Lesson* lesson = find(lessons, line);
-  return lesson == nullptr ? html_escaped(line) : link_to(*lesson);
+std::string prerequisite(const std::vector<SiteIndexLesson>& lessons, const std::string& line,
+                         Language language) {
+  const Lesson* lesson = find(lessons, line, language);
+  return lesson == nullptr ? html_escaped(line) : link_to(*lesson, language);
 }
 
 std::string lesson_html(const std::vector<SiteIndexLesson>& all, std::size_t i) {
@@ -47,7 +60,8 @@ std::string lesson_html(const std::vector<SiteIndexLesson>& all, std::size_t i) 
   const Lesson& lesson = one.lesson;
   std::string html = fmt::format(
       "<li class=\"lesson\"{}>\n<div class=\"about\">\n<h2><span class=\"number\">{}</span>{}</h2>\n",
-      language_of(lesson, all.front().lesson.about.language), i + 1, link_to(lesson));
+      language_of(lesson, all.front().lesson.about.language), number_in_course(all, i),
+      link_to(lesson, lesson.about.language));
   if (!lesson.about.authors.empty())
     html += fmt::format("<p class=\"authors\">{}</p>\n",
                         html_escaped(fmt::format("{}", fmt::join(lesson.about.authors, ", "))));
@@ -59,7 +73,7 @@ std::string lesson_html(const std::vector<SiteIndexLesson>& all, std::size_t i) 
   if (!lesson.about.prerequisites.empty()) {
     html += fmt::format("<h3>{}</h3>\n<ul>\n", words::kPrerequisites.in(lesson.about.language));
     for (const std::string& line : lesson.about.prerequisites)
-      html += "<li>" + prerequisite(all, line) + "</li>\n";
+      html += "<li>" + prerequisite(all, line, lesson.about.language) + "</li>\n";
     html += "</ul>\n";
   }
   if (!one.downloads.empty()) {

@@ -273,6 +273,11 @@ TEST_F(SiteOfTwo, LinksALessonWithItsTranslation) {
               testing::AllOf(HasSubstr("<html lang=\"de\">"),
                              HasSubstr("hreflang=\"en\" href=\"https://x.org/other.html\""),
                              HasSubstr("Die nächste Lektion: ")));
+  // One lesson of the course, in two languages.
+  EXPECT_THAT(text_of(site / "index.html"),
+              testing::AllOf(HasSubstr("<span class=\"number\">1</span><a href=\"other.html\""),
+                             HasSubstr("<span class=\"number\">1</span><a href=\"other.de.html\""),
+                             HasSubstr("<span class=\"number\">2</span><a href=\"edition.html\"")));
 }
 
 // 28 November 2026: a German lesson lay in an English frame.
