@@ -412,14 +412,41 @@ class Writer {
                                   : below.absent() ? (as_limits ? "mover" : "msup")
                                                    : (as_limits ? "munder" : "msub");
     around(name, "", [&] {
-      const MathNode& only = without_groups(base);
-      // An operator is one only as the first child itself, not in a row.
-      if (only.kind == Kind::symbol || only.kind == Kind::text)
-        node(only);
-      else
-        argument(base);
+      marked(base);
       if (!below.absent()) argument(below);
       if (!above.absent()) argument(above);
+    });
+    before_ = before;
+  }
+
+  /// An operator is one only as the first child itself, not in a row.
+  void marked(const MathNode& base) {
+    const MathNode& only = without_groups(base);
+    if (only.kind == Kind::symbol || only.kind == Kind::text)
+      node(only);
+    else
+      argument(base);
+  }
+
+  static bool is_of_primes(const MathNode& above) {
+    constexpr std::u32string_view kPrimes = U"′″‴⁗";
+    return above.kind == Kind::row && !above.children.empty() &&
+           std::ranges::all_of(above.children, [&](const MathNode& one) {
+             return one.kind == Kind::symbol && kPrimes.find(one.character) != kPrimes.npos;
+           });
+  }
+
+  /// Fonts draw them small and raised: as a script they would be so twice.
+  void primed(const MathNode& base, const MathNode& below, const MathNode& primes) {
+    const MathClass before = before_;
+    around("mrow", "", [&] {
+      if (below.absent())
+        marked(base);
+      else
+        with_marks(base, below, MathNode{}, false);
+      for (const MathNode& one : primes.children)
+        element("mo", " form=\"postfix\" lspace=\"0\" rspace=\"0\" stretchy=\"false\"",
+                utf8_of(one.character));
     });
     before_ = before;
   }
@@ -429,7 +456,10 @@ class Writer {
     const bool as_limits = base.kind == Kind::brace ||
                            (base.atom == MathClass::large && base.limits != Limits::beside) ||
                            (n.children[0].atom == MathClass::large && n.children[0].limits != Limits::beside);
-    with_marks(n.children[0], n.children[1], n.children[2], as_limits);
+    if (is_of_primes(n.children[2]))
+      primed(n.children[0], n.children[1], n.children[2]);
+    else
+      with_marks(n.children[0], n.children[1], n.children[2], as_limits);
     before_ = base.atom;
   }
 

@@ -109,7 +109,11 @@ TEST(MathMl, WritesEachConstruct) {
       {"\\mathcal L", "<mi>ℒ</mi>"},
       {"12.5", "<mn>12.5</mn>"},
       {"\\infty", "<mi>∞</mi>"},
-      {"x'", "<msup><mi>x</mi><mrow><mo lspace=\"0\" rspace=\"0\" stretchy=\"false\">′</mo></mrow></msup>"},
+      {"x'",
+       "<mrow><mi>x</mi><mo form=\"postfix\" lspace=\"0\" rspace=\"0\" stretchy=\"false\">′</mo></mrow>"},
+      {"x_a'",
+       "<mrow><msub><mi>x</mi><mrow><mi>a</mi></mrow></msub>"
+       "<mo form=\"postfix\" lspace=\"0\" rspace=\"0\" stretchy=\"false\">′</mo></mrow>"},
       {"\\sqrt{x}", "<msqrt><mrow><mi>x</mi></mrow></msqrt>"},
       {"\\sqrt[3]{x}", "<mroot><mrow><mi>x</mi></mrow><mrow><mn>3</mn></mrow></mroot>"},
       {"\\frac{a}{b}", "<mfrac><mrow><mi>a</mi></mrow><mrow><mi>b</mi></mrow></mfrac>"},
