@@ -319,7 +319,8 @@ class FormulaSpeaker {
         return grid(n);
       case Kind::cancel:
         word(words::kStruckOut);
-        return atoms(n.children);
+        alone([&] { atoms(n.children); });
+        return word(words::kEndOfStruckOut);
       case Kind::arrow:
         word(words::kGoesTo);
         word(words::kBy);

@@ -60,6 +60,13 @@ TEST(SpokenMath, AFractionSaysWhereItEnds) {
   EXPECT_EQ(said_in_german("\\frac{I_3}{I_1}\\omega_3"), "Bruch I 3 durch I 1 Ende des Bruchs Omega 3");
 }
 
+// 28 November 2026: where what is struck out ends was not said.
+TEST(SpokenMath, WhatIsStruckOutHasABeginningAndAnEnd) {
+  EXPECT_EQ(said("a + \\cancel{b + c} = d"), "a plus struck out: b plus c end of struck out equals d");
+  EXPECT_EQ(said_in_german("a + \\cancel{b}"), "a plus durchgestrichen: b Ende des Durchgestrichenen");
+  EXPECT_EQ(said("\\cancel{\\frac{a}{b}}c"), "struck out: a over b end of struck out c");
+}
+
 TEST(SpokenMath, AShortFractionIsShort) {
   EXPECT_EQ(said("\\frac{I_3}{I_1} = 2"), "I sub 3 over I sub 1 equals 2");
   EXPECT_EQ(said("1 - \\frac{a}{b} + c"), "1 minus a over b plus c");
