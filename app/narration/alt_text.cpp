@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/alt_text.h"
 
+#include "app/narration/number_text.h"
 #include "base/angles.h"
 #include "base/words/speech_words.h"
 #include "physics/body/euler.h"
@@ -11,8 +12,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
+#include <numbers>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -52,60 +55,190 @@ bool draws(const Scene& scene, Overlay vector) {
          (draws_marks(scene) && std::any_of(arrows.begin(), arrows.end(), is_it));
 }
 
+std::string time_words(double t_s, Language language) { return short_number_words(t_s, 4, language); }
+
 std::string moment_words(const Scene& scene, const Vec3& w_B, double t_s) {
   const Language language = scene.language;
-  std::string text =
-      words::kBodyTurnsAt.with(language, {fmt::format("{:.4g}", t_s), fmt::format("{:.3g}", w_B.norm())});
+  std::string text = words::kBodyTurnsAt.with(
+      language, {time_words(t_s, language), short_number_words(w_B.stableNorm(), 3, language)});
   if (!w_B.isZero(0.0) && draws(scene, Overlay::omega) && draws(scene, Overlay::L)) {
     const Vec3 L_B = angular_momentum_B(scene.body.moments, w_B);
     const double angle_deg = angle_between(w_B, L_B) * kDegreesPerRadian;
+    if (!std::isfinite(angle_deg)) return text + '.';
     constexpr double kParallel_deg = 1e-6;  // what rounding leaves
+    const int digits = angle_deg < 100.0 ? 2 : 3;
     text += angle_deg < kParallel_deg
                 ? std::string(words::kOmegaAlongL.in(language))
-                : words::kOmegaAwayFromL.with(language, {fmt::format("{:.2g}", angle_deg)});
+                : words::kOmegaAwayFromL.with(language, {short_number_words(angle_deg, digits, language)});
   }
-  return with_decimals(text + '.', language);
+  return text + '.';
+}
+
+/// Instants so close that between two of them nothing turns by half a round.
+std::vector<double> instants(const SceneModel& model, double from_s, double to_s) {
+  constexpr double kStepsPerRadian = 8.0, kLeast = 64.0, kMost = 20000.0;
+  const double turned = model.scene.w0_B.stableNorm() * std::abs(to_s - from_s);
+  const double steps = std::clamp(std::ceil(kStepsPerRadian * turned), kLeast, kMost);
+  std::vector<double> times;
+  for (int i = 0; i <= static_cast<int>(steps); ++i) times.push_back(std::lerp(from_s, to_s, i / steps));
+  return times;
+}
+
+/// How often a vector goes round an axis, anticlockwise seen from its tip. Nothing where it comes so close to
+/// the axis that nobody could tell.
+class Rounds {
+ public:
+  explicit Rounds(const Vec3& axis) : axis_(axis.normalized()) {}
+
+  void add(const Vec3& vector) {
+    constexpr double kLeastLean = 0.01;
+    const Vec3 aside = vector - axis_.dot(vector) * axis_;
+    is_seen_ = is_seen_ && aside.norm() > kLeastLean * vector.norm();
+    if (last_) angle_ += std::atan2(axis_.dot(last_->cross(aside)), last_->dot(aside));
+    last_ = aside;
+  }
+  std::optional<double> rounds() const {
+    return is_seen_ && last_ ? std::optional(angle_ / (2.0 * std::numbers::pi)) : std::nullopt;
+  }
+
+ private:
+  Vec3 axis_;
+  std::optional<Vec3> last_;
+  double angle_ = 0.0;
+  bool is_seen_ = true;
+};
+
+/// "0.66 times", "once".
+std::string rounds_words(double rounds, Language language) {
+  constexpr double kHundredths = 100.0;
+  const double rounded = std::round(std::abs(rounds) * kHundredths) / kHundredths;
+  return rounded == 1.0 ? std::string(words::kOnce.in(language))
+                        : words::kSoManyTimes.with(language, {short_number_words(rounded, 4, language)});
+}
+
+int largest_component(const Vec3& vector) {
+  int largest = 0;
+  vector.cwiseAbs().maxCoeff(&largest);
+  return largest;
 }
 
 /// Of one of the scenes that a model shows.
-std::string change_in_words(const SceneModel& model, double from_s, double t_s) {
-  const Scene& scene = model.scene;
-  const Language language = scene.language;
-  std::string text;
-  const auto add = [&](const Phrase& phrase, std::initializer_list<std::string_view> parts) {
-    text += (text.empty() ? "" : " ") + with_decimals(phrase.with(language, parts), language);
-  };
-  const bool is_seen_from_space =
-      std::find(scene.views.begin(), scene.views.end(), View::space) != scene.views.end();
-  if (t_s != from_s && is_seen_from_space && model.needs.attitude) {
-    const Quat from_SB = model.motion->at(from_s).q_SB, now_SB = model.motion->at(t_s).q_SB;
-    const auto turned = [&](const Vec3& axis_B) {
-      return fmt::format("{:.0f}",
-                         angle_between(Vec3(from_SB * axis_B), Vec3(now_SB * axis_B)) * kDegreesPerRadian);
-    };
-    add(words::kAxesPoint,
-        {fmt::format("{:.4g}", from_s), turned(Vec3::UnitX()), turned(Vec3::UnitY()), turned(Vec3::UnitZ())});
+class ChangeInWords {
+ public:
+  ChangeInWords(const SceneModel& model, const SceneInWords& said, double from_s, double to_s, double t_s)
+      : model_(model),
+        said_(said),
+        scene_(model.scene),
+        language_(scene_.language),
+        from_s_(from_s),
+        to_s_(to_s),
+        t_s_(t_s) {}
+
+  std::string run() const {
+    const bool is_seen_from_space =
+        std::find(scene_.views.begin(), scene_.views.end(), View::space) != scene_.views.end();
+    if (is_seen_from_space && model_.needs.attitude) {
+      if (t_s_ == from_s_) return "";
+      std::string rounds = scene_.torque.empty() && draws(scene_, Overlay::L) ? round_L() : "";
+      return rounds.empty() ? turned_axis() : rounds;
+    }
+    if (!draws(scene_, Overlay::omega) && !draws(scene_, Overlay::L)) return "";
+    std::string rounds = t_s_ == from_s_ ? "" : round_axis();
+    return rounds.empty() ? components() : rounds;
   }
-  const auto add_components = [&](const Phrase& phrase, const Vec3& vector_B) {
+
+ private:
+  /// ω where it is drawn, else L.
+  Vec3 vector_at(double t_s) const {
+    const Vec3 w_B = model_.motion->w_B_at(t_s);
+    return draws(scene_, Overlay::omega) ? w_B : angular_momentum_B(scene_.body.moments, w_B);
+  }
+
+  std::string axis_words(int axis) const {
+    const std::string& name = said_.axes[static_cast<std::size_t>(axis)];
+    return name.empty() ? words::kAxis.with(language_, {std::to_string(axis + 1)}) : name;
+  }
+
+  /// Of the axis of symmetry, and of another. Of other bodies rounds tell nothing: an axis may come close to
+  /// L, and turn over.
+  std::string round_L() const {
+    const Vec3 L_B = angular_momentum_B(scene_.body.moments, model_.motion->w_B_at(from_s_));
+    if (L_B.isZero(0.0)) return "";
+    const Vec3 L_S = model_.motion->at(from_s_).q_SB * L_B;
+    const int nearest = largest_component(L_B);
+    constexpr double kAlike = 1e-6;
+    const Vec3& I = scene_.body.moments.vector();
+    const double one = I[(nearest + 1) % 3], other = I[(nearest + 2) % 3];
+    if (std::abs(one - other) > kAlike * one) return "";
+    const std::array<int, 2> axes = {nearest, (nearest + 1) % 3};
+    std::array<Rounds, 2> rounds = {Rounds(L_S), Rounds(L_S)};
+    for (const double t_s : instants(model_, from_s_, t_s_)) {
+      const Quat q_SB = model_.motion->at(t_s).q_SB;
+      for (std::size_t i = 0; i < 2; ++i) rounds[i].add(q_SB * Vec3(Vec3::Unit(axes[i])));
+    }
+    const auto first = rounds[0].rounds(), second = rounds[1].rounds();
+    const std::string from = time_words(from_s_, language_);
+    if (!first && !second) return "";
+    if (first && second)
+      return words::kBothWentRoundL.with(
+          language_, {from, axis_words(axes[0]), rounds_words(*first, language_), axis_words(axes[1]),
+                      rounds_words(*second, language_)});
+    return words::kWentRoundL.with(language_, {from, axis_words(first ? axes[0] : axes[1]),
+                                               rounds_words(first ? *first : *second, language_)});
+  }
+
+  std::string turned_axis() const {
+    const int axis = largest_component(model_.motion->w_B_at(from_s_));
+    const Vec3 axis_B = Vec3::Unit(axis);
+    const Vec3 then_S = model_.motion->at(from_s_).q_SB * axis_B,
+               now_S = model_.motion->at(t_s_).q_SB * axis_B;
+    return words::kAxisPoints.with(
+        language_,
+        {std::to_string(axis + 1), fmt::format("{:.0f}", angle_between(then_S, now_S) * kDegreesPerRadian),
+         time_words(from_s_, language_)});
+  }
+
+  /// Where it goes at least a part of a round over all that is shown, about one axis.
+  std::string round_axis() const {
+    constexpr double kLeastRounds = 0.25;
+    const Vec3 begin = vector_at(from_s_);
+    if (begin.isZero(0.0)) return "";
+    const int axis = largest_component(begin);
+    Rounds all(Vec3::Unit(axis));
+    for (const double t_s : instants(model_, from_s_, to_s_)) {
+      const Vec3 vector_B = vector_at(t_s);
+      if (!(vector_B[axis] * begin[axis] > 0.0)) return "";
+      all.add(vector_B);
+    }
+    if (!all.rounds() || std::abs(*all.rounds()) < kLeastRounds) return "";
+    Rounds now(Vec3::Unit(axis));
+    for (const double t_s : instants(model_, from_s_, t_s_)) now.add(vector_at(t_s));
+    return words::kWentRoundAxis.with(
+        language_, {time_words(from_s_, language_), draws(scene_, Overlay::omega) ? "ω" : "L",
+                    rounds_words(*now.rounds(), language_), std::to_string(axis + 1),
+                    (*now.rounds() < 0.0 ? words::kClockwise : words::kAnticlockwise).in(language_)});
+  }
+
+  std::string components() const {
+    const Vec3 vector_B = vector_at(t_s_);
     const double last = 1e-3 * vector_B.norm();  // what no reader could see is 0
     const auto component = [&](int i) {
-      return (vector_B[i] < -last ? "−" : "") +
-             fmt::format("{:.3g}", std::abs(vector_B[i]) < last ? 0.0 : std::abs(vector_B[i]));
+      return short_number_words(std::abs(vector_B[i]) < last ? 0.0 : vector_B[i], 3, language_);
     };
-    add(phrase, {component(0), component(1), component(2)});
-  };
-  const Vec3 w_B = model.motion->w_B_at(t_s);
-  if (draws(scene, Overlay::omega)) {
-    add_components(words::kOmegaInBody, w_B);
-  } else if (draws(scene, Overlay::L)) {
-    add_components(words::kLInBody, angular_momentum_B(scene.body.moments, w_B));
+    return (draws(scene_, Overlay::omega) ? words::kOmegaInBody : words::kLInBody)
+        .with(language_, {component(0), component(1), component(2)});
   }
-  return text;
-}
 
-}  // namespace
+  const SceneModel& model_;
+  const SceneInWords& said_;
+  const Scene& scene_;
+  Language language_;
+  double from_s_, to_s_, t_s_;
+};
 
-std::string alt_text(const Scene& scene, const SceneInWords& said, const Vec3& w_B, double t_s) {
+/// @param before the scene that was told before it, whose body need not be told again; null: there is none
+std::string scene_in_words(const Scene& scene, const SceneInWords& said, const Vec3& w_B, double t_s,
+                           const Scene* before) {
   const OverlaySet drawn = drawn_overlays(scene);
   const bool has_marks = draws_marks(scene);
   const Language language = scene.language;
@@ -118,16 +251,24 @@ std::string alt_text(const Scene& scene, const SceneInWords& said, const Vec3& w
                 shown_words(drawn, said.marks, language));
   if (const std::string& caption = said.caption; !caption.empty() && caption_holds(scene, t_s))
     text += caption + (caption.ends_with('.') ? " " : ". ");
-  const Vec3& I = scene.body.moments.vector();
-  const auto moment = [&](int i) { return with_decimals(fmt::format("{:.4g}", I[i]), language); };
-  // What a body is called in lessons are English words.
-  const std::string name = language == Language::en ? '"' + scene.body.name + "\" " : "";
-  text += words::kTheBodyIs.with(language, {name, moment(0), moment(1), moment(2)});
-  if (said.is_asked) {
-    text.pop_back();
-    return text;
+  if (before == nullptr || !(before->body == scene.body)) {
+    const Vec3& I = scene.body.moments.vector();
+    const auto moment = [&](int i) { return short_number_words(I[i], 4, language); };
+    // What a body is called in lessons are English words.
+    const bool has_name = language == Language::en && !said.body.empty();
+    text +=
+        words::kTheBodyIs.with(language, {has_name ? std::string_view(said.body) : words::kBody.in(language),
+                                          moment(0), moment(1), moment(2)});
   }
-  return text + moment_words(scene, w_B, t_s);
+  if (!said.is_asked) return text + moment_words(scene, w_B, t_s);
+  text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+std::string alt_text(const Scene& scene, const SceneInWords& said, const Vec3& w_B, double t_s) {
+  return scene_in_words(scene, said, w_B, t_s, nullptr);
 }
 
 std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& said, double t_s) {
@@ -138,19 +279,20 @@ std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& s
       text +=
           (i > 0 ? " " : "") + words::kSceneOf.with(shown[i]->scene.language,
                                                     {std::to_string(i + 1), std::to_string(shown.size())});
-    text += alt_text(shown[i]->scene, said[i], shown[i]->motion->w_B_at(t_s), t_s);
+    text += scene_in_words(shown[i]->scene, said[i], shown[i]->motion->w_B_at(t_s), t_s,
+                           i > 0 ? &shown[i - 1]->scene : nullptr);
   }
   return text;
 }
 
-std::string moment_in_words(const SceneModel& model, double from_s, double t_s) {
+std::string moment_in_words(const SceneModel& model, const std::vector<SceneInWords>& said, double from_s,
+                            double to_s, double t_s) {
   const std::vector<const SceneModel*> shown = shown_models(model);
   const Language language = model.scene.language;
-  std::string text =
-      t_s == from_s ? ""
-                    : with_decimals(words::kTheSameAt.with(language, {fmt::format("{:.4g}", t_s)}), language);
+  std::string text = t_s == from_s ? "" : words::kTheSameAt.with(language, {time_words(t_s, language)});
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const std::string change = change_in_words(*shown[i], from_s, t_s);
+    const SceneInWords words_of_scene = i < said.size() ? said[i] : SceneInWords{};
+    const std::string change = ChangeInWords(*shown[i], words_of_scene, from_s, to_s, t_s).run();
     if (change.empty()) continue;
     if (!text.empty()) text += ' ';
     if (shown.size() > 1) text += words::kScene.with(language, {std::to_string(i + 1)});

@@ -5,6 +5,7 @@
 #include "physics/body/state.h"
 #include "render/scene/model/model.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace polhode {
 struct SceneInWords {
   std::string caption{};
   std::vector<std::string> marks{};
+  /// Of the axes of the body, "nose", where an arrow has other names for them; empty: none.
+  std::array<std::string, 3> axes{};
+  std::string body{};  ///< what the lesson calls the body in its text, "plate"; empty: nothing
   /// A question is asked of it, whose answer may lie in what is computed: that is left out.
   bool is_asked = false;
 };
@@ -28,9 +32,12 @@ std::string alt_text(const Scene& scene, const SceneInWords& said, const Vec3& w
 /// in their order.
 std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& said, double t_s);
 
-/// Of the pictures of one motion at several moments, the first of which is from_s and has the alternative
-/// text above: what has changed since then. Seen from space, how far each axis of the body points away from
-/// where it pointed; where ω is drawn, or else L, its components along the axes, of the first moment too.
-std::string moment_in_words(const SceneModel& model, double from_s, double t_s);
+/// Of the pictures of one motion at several moments, from one instant to another, the first of which has the
+/// alternative text above: what has changed since then, in as few numbers as tell it. Seen from space, how
+/// often two axes of a symmetric top have gone round L where that is drawn and constant, or how far the axis
+/// about which a body turned points away from where it pointed; seen from the body, how often ω, or else L,
+/// has gone round an axis, or its components, of the first moment too.
+std::string moment_in_words(const SceneModel& model, const std::vector<SceneInWords>& said, double from_s,
+                            double to_s, double t_s);
 
 }  // namespace polhode

@@ -2,6 +2,7 @@
 #include "app/narration/number_text.h"
 
 #include "base/words/formula_words.h"
+#include "base/words/speech_words.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int kUsualDigits = 3;
 constexpr int kMostBeforePoint = 5, kMostZerosBehind = 1;  // without a power of ten
+constexpr int kMostZerosHeard = 3;                         // 0.0025 is heard sooner than 2.5 times 10 to …
 
 struct Written {
   bool negative = false;
@@ -21,15 +23,25 @@ struct Written {
   int power = 0;       ///< of ten
 };
 
-Written written(double value, int digits) {
+Written written(double value, int digits, int most_zeros = kMostZerosBehind) {
   if (value == 0) return {false, "0", 0};
   const int most = digits > 0 ? digits : kUsualDigits;
   const std::string rounded = fmt::format("{:.{}e}", std::abs(value), most - 1);  // "2.25e+04"
   const std::size_t e = rounded.find('e');
   const int exponent = std::stoi(rounded.substr(e + 1));
-  if (exponent < -1 - kMostZerosBehind || exponent >= std::max(kMostBeforePoint, most))
+  if (exponent < -1 - most_zeros || exponent >= std::max(kMostBeforePoint, most))
     return {value < 0, rounded.substr(0, e), exponent};
   return {value < 0, fmt::format("{:.{}f}", std::abs(value), std::max(most - 1 - exponent, 0)), 0};
+}
+
+std::string words_of(const Written& number, Language language) {
+  const auto signed_words = [language](bool is_negative, std::string words) {
+    return is_negative ? words::kMinus.with(language, {words}) : words;
+  };
+  const std::string text = signed_words(number.negative, with_decimals(number.digits, language));
+  if (number.power == 0) return text;
+  const std::string power = signed_words(number.power < 0, std::to_string(std::abs(number.power)));
+  return words::kTimesTenToThePower.with(language, {text, power});
 }
 
 }  // namespace
@@ -41,14 +53,25 @@ std::string number_tex(double value, int digits) {
 }
 
 std::string number_words(double value, int digits, Language language) {
-  const auto signed_words = [language](bool is_negative, std::string words) {
-    return is_negative ? words::kMinus.with(language, {words}) : words;
-  };
-  const Written number = written(value, digits);
-  const std::string text = signed_words(number.negative, with_decimals(number.digits, language));
-  if (number.power == 0) return text;
-  const std::string power = signed_words(number.power < 0, std::to_string(std::abs(number.power)));
-  return words::kTimesTenToThePower.with(language, {text, power});
+  return words_of(written(value, digits), language);
+}
+
+std::string short_number_words(double value, int digits, Language language) {
+  if (!std::isfinite(value)) return std::string(words::kNotDefined.in(language));
+  Written number = written(value, digits, kMostZerosHeard);
+  std::string& text = number.digits;
+  if (text.find('.') != std::string::npos) {
+    while (text.ends_with('0')) text.pop_back();
+    if (text.ends_with('.')) text.pop_back();
+  }
+  number.negative = number.negative && text != "0";
+  return words_of(number, language);
+}
+
+std::string unit_in_words(const std::string& unit, Language language) {
+  for (const words::UnitWords& known : words::kUnits)
+    if (known.unit == unit) return std::string(known.words.in(language));
+  return unit;
 }
 
 }  // namespace polhode

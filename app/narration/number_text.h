@@ -13,5 +13,10 @@ namespace polhode {
 std::string number_tex(double value, int digits = 0);
 /// The same in words: "minus 1.23 times 10 to the power 5".
 std::string number_words(double value, int digits = 0, Language language = Language::en);
+/// In words with at most so many significant digits, without zeros behind them: "minus 0.5",
+/// "8.01 times 10 to the power 37". What is not finite is "not defined".
+std::string short_number_words(double value, int digits, Language language);
+/// "radians per second"; a unit that has no words as it is written.
+std::string unit_in_words(const std::string& unit, Language language);
 
 }  // namespace polhode

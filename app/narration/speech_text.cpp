@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/speech_text.h"
 
+#include "app/narration/mark_shapes.h"
 #include "app/narration/number_text.h"
+#include "app/narration/step_formulas.h"
 #include "app/narration/verdict_row.h"
 #include "base/ascii.h"
 #include "base/words/formula_words.h"
 #include "base/words/speech_words.h"
+#include "lessons/claims/expressions/expression_names.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "lessons/reader/questions/state_task.h"
 #include "lessons/reader/scene/varied_scene.h"
 #include "render/scene/model/drawn_marks.h"
+#include "render/scene/model/scene_needs.h"
 #include "render/typeset/math/commands.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 namespace polhode {
 
@@ -71,31 +75,40 @@ void add_formula(std::string& text, std::string_view words, bool begins_sentence
   }
 }
 
-/// What a lesson calls a quantity. A name that is no more than the letter of a vector tells it from its
-/// magnitude: L is "vector L" then, while "angular momentum" stays.
-std::string name_in_words(const Symbol& symbol, Language language) {
-  std::string letters = spoken(symbol.math, {}, {});
-  const bool is_letter = letters == fmt::format("{} {}", words::kVector.in(language), symbol.say);
-  return is_letter ? letters : symbol.say;
+bool is_name(std::string_view written) {
+  return !written.empty() && is_letter(written.front()) &&
+         std::all_of(written.begin(), written.end(),
+                     [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
 }
 
-/// Whether a vector is made for the picture alone, as a place for a name: no reader knows it, and what it is
-/// made of is arithmetic, with numbers, lengths and components.
-bool is_made_for_picture(const MarkVector& vector) {
-  constexpr std::array<std::string_view, 4> kOfVectors = {"cross", "ddt", "star", "inertia"};
-  const std::string_view text = vector.quantity.text;
-  for (std::size_t at = 0; at < text.size();) {
-    std::size_t end = at;
-    while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]) || text[end] == '_')) ++end;
-    if (end == at) {
-      ++at;
-      continue;
-    }
-    const std::string_view word = text.substr(at, end - at);
-    const bool is_function = end < text.size() && text[end] == '(';
-    if (is_digit(word.front())) return true;
-    if (is_function && std::find(kOfVectors.begin(), kOfVectors.end(), word) == kOfVectors.end()) return true;
-    at = end;
+bool is_axis(std::string_view written) {
+  constexpr std::string_view kAxes = "123xyz";
+  return written.size() == 2 && written[0] == 'e' && kAxes.find(written[1]) != std::string_view::npos;
+}
+
+/// Whether a text speaks of "the plate": what a lesson's file calls a body may be any word.
+bool is_said_in_text(const std::string& name, const std::string& text) {
+  for (const char* article : {" the ", " The ", " a ", " A ", " an ", " An "}) {
+    const std::string said = article + name;
+    for (std::size_t at = text.find(said); at != std::string::npos; at = text.find(said, at + 1))
+      if (!is_letter(text[at + said.size()])) return true;
+  }
+  return false;
+}
+
+/// Whether it is among the words of an overlay that is drawn, "body cone", or one of the digits in them.
+bool is_said_of_overlay(const std::string& note, const Scene& scene) {
+  constexpr std::size_t kLeastWord = 4;
+  if (note.size() < kLeastWord && !(note.size() == 1 && is_digit(note.front()))) return false;
+  const OverlaySet drawn = drawn_overlays(scene);
+  for (int i = 0; i < kOverlayCount; ++i) {
+    const auto overlay = static_cast<Overlay>(i);
+    if (!drawn.contains(overlay)) continue;
+    const std::string_view words = facts_of(overlay).words.in(scene.language);
+    const std::size_t at = words.find(note);
+    if (at == std::string_view::npos) continue;
+    const std::size_t end = at + note.size();
+    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || !is_letter(words[end]))) return true;
   }
   return false;
 }
@@ -117,10 +130,6 @@ void add(std::string& text, const std::string& more) {
 
 SpeechText::SpeechText(const Lesson& lesson, Effort effort)
     : lesson_(lesson), steps_of_numbers_(lesson.numbers.size()), stills_(std::move(effort)) {
-  for (const auto& [name, symbol] : lesson.symbols) {
-    symbols_.push_back({name, symbol.math, {}});
-    names_.emplace(name, name_in_words(symbol, language()));
-  }
   const auto belong_to = [&](const Step& step, const std::vector<int>& ids) {
     for (const int id : ids)
       if (const Step*& known = steps_of_numbers_[static_cast<std::size_t>(id)]; known == nullptr)
@@ -128,6 +137,7 @@ SpeechText::SpeechText(const Lesson& lesson, Effort effort)
   };
   for (const Stage& stage : lesson.stages)
     for (const Step& step : stage.steps) {
+      places_.emplace(&step, places_.size());
       belong_to(step, numbers_in(step));
     }
 }
@@ -154,11 +164,6 @@ Math SpeechText::with_spoken_numbers(const Math& math, const StillNumbers::Value
 
 std::string SpeechText::number_in_words(double value) const {
   return with_decimals(fmt::format("{:.4g}", value), language());
-}
-
-std::string SpeechText::words(const Math& math) const {
-  return spoken(with_spoken_numbers(math, nullptr), symbols_,
-                [this](std::string_view name) { return names_.at(std::string(name)); });
 }
 
 std::string SpeechText::words_in_line(const Math& math, std::string_view before) const {
@@ -348,7 +353,9 @@ std::vector<SceneInWords> SpeechText::words_of_scenes(const Step& step, const Sc
   std::vector<SceneInWords> all;
   for (std::size_t i = 0; i < scenes.size(); ++i)
     all.push_back({.caption = std::move(captions[i]),
-                   .marks = marks_in_words(*scenes[i]),
+                   .marks = marks_in_words(*scenes[i], place_of(step)),
+                   .axes = names_of_axes(*scenes[i]),
+                   .body = is_said_in_text(scenes[i]->body.name, printed().text) ? scenes[i]->body.name : "",
                    .is_asked = !blocks_of<Ask>(step).empty()});
   return all;
 }
@@ -389,7 +396,7 @@ std::string SpeechText::words_of_plots(const Scene& scene) const {
   for (const PlotSpec& spec : scene.meters) {
     const auto* own = std::get_if<OwnPlot>(&spec);
     if (own == nullptr) continue;
-    const auto spoken = [&](const std::string& tex) { return words_of_line('$' + tex + '$'); };
+    const auto spoken = [&](const std::string& tex) { return words_of_label(tex); };
     const auto name = [&](std::size_t i, const std::string& tex) {
       return spoken(i < own->tex.size() ? own->tex[i] : tex);
     };
@@ -415,13 +422,88 @@ std::string SpeechText::words_of_tex(const std::string& tex) const {
   return math ? words(*math) : tex;
 }
 
-std::string SpeechText::words_of_vector(const MarkVector& vector) const {
-  const auto own = lesson_.symbols.find(vector.quantity.text);
-  if (own != lesson_.symbols.end() && own->second.tex.empty()) return own->second.say;
-  return is_made_for_picture(vector) ? "" : words_of_tex(vector.quantity.tex);
+std::string SpeechText::words_of_label(const std::string& tex) const {
+  const bool is_words = tex.find("\\text") != std::string::npos ||
+                        std::all_of(tex.begin(), tex.end(), [](char c) { return is_digit(c); });
+  return is_words ? words::kInQuotes.with(language(), {words_of_tex(tex)}) : words_of_tex(tex);
 }
 
-std::vector<std::string> SpeechText::marks_in_words(const Scene& scene) const {
+std::array<std::string, 3> SpeechText::names_of_axes(const Scene& scene) const {
+  std::array<std::string, 3> names;
+  for (const ArrowMark& arrow : scene.marks.arrows)
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (!arrow.at && arrow.tex && !arrow.tex->empty() &&
+          arrow.of.quantity.text == "e" + std::to_string(i + 1))
+        names[i] = words_of_label(*arrow.tex);
+  return names;
+}
+
+std::size_t SpeechText::place_of(const Step& step) const {
+  const auto found = places_.find(&step);
+  return found == places_.end() ? places_.size() : found->second;
+}
+
+const SpeechText::Printed& SpeechText::printed() const {
+  if (printed_) return *printed_;
+  std::vector<MathSymbol> symbols;
+  for (const auto& [name, symbol] : lesson_.symbols) symbols.push_back({name, symbol.math, {}});
+  for (const char axis : std::string_view("123xyz")) {
+    const std::string name = std::string("e") + axis;
+    const auto math = parse_math(std::string("\\hat e_") + axis);
+    if (math && !lesson_.symbols.contains(name)) symbols.push_back({name, *math, {}});
+  }
+  Printed& found = printed_.emplace();
+  const auto look_at = [&](const Math& math, std::size_t place) {
+    spoken(math, symbols, [&](std::string_view name) {
+      found.names.try_emplace(std::string(name), place);
+      return std::string(name);
+    });
+  };
+  for (const Stage& stage : lesson_.stages)
+    for (const Step& step : stage.steps) {
+      for_each_formula(step, [&](const Math& math) { look_at(math, place_of(step)); });
+      for (const auto& caption : step.captions)
+        if (caption) for_each_formula(*caption, [&](const Math& math) { look_at(math, place_of(step)); });
+      for (const Block& block : step.blocks)
+        if (const auto* prose = std::get_if<Prose>(&block))
+          for_each_span(prose->text, [&](const TextSpan& span) {
+            if (span.kind == TextSpan::Kind::text) found.text += ' ' + span.text + ' ';
+          });
+    }
+  return found;
+}
+
+std::string SpeechText::words_of_vector(const std::string& written, const Scene& scene,
+                                        std::size_t step) const {
+  for (const bool from_centre : {true, false})
+    for (const ArrowMark& arrow : scene.marks.arrows)
+      if (arrow.of.quantity.text == written && arrow.at.has_value() != from_centre &&
+          (!arrow.tex || !arrow.tex->empty()))
+        return words_of_label(arrow.tex ? *arrow.tex : arrow.of.quantity.tex);
+  if (!is_name(written)) return "";
+  const auto own = lesson_.symbols.find(written);
+  if (own != lesson_.symbols.end() && own->second.tex.empty()) return own->second.say;
+  const auto first = printed().names.find(written);
+  const bool is_known = first != printed().names.end() && first->second <= step;
+  if (is_axis(written) && !is_known) return words::kAxis.with(language(), {written.substr(1)});
+  if (own != lesson_.symbols.end() && is_known) return words_of_tex(own->second.tex);
+  if (is_axis(written)) return words_of_tex("\\hat e_" + written.substr(1));
+  // Another word for what has a name in the figure, or for an axis.
+  if (own != lesson_.symbols.end()) {
+    const std::string& say = own->second.say;
+    for (const ArrowMark& arrow : scene.marks.arrows)
+      if (arrow.tex && !arrow.tex->empty() && words_of_tex(*arrow.tex) == say) return say;
+    for (const char axis : std::string_view("123"))
+      if (words::kAxis.with(language(), {std::string(1, axis)}) == say) return say;
+  }
+  // Vectors that have their letters in every lesson.
+  const QuantityFacts* facts = find_quantity(written);
+  if (facts == nullptr || facts->arrow_letter.empty()) return "";
+  return words_of_tex(own != lesson_.symbols.end() ? own->second.tex
+                                                   : "\\vec " + std::string(facts->arrow_letter));
+}
+
+std::vector<std::string> SpeechText::marks_in_words(const Scene& scene, std::size_t step) const {
   std::vector<std::string> all;
   if (draws_poses(scene))
     all.push_back((scene.poses.count == 1 ? words::kBodyAtEarlierInstant : words::kBodyAtEarlierInstants)
@@ -437,7 +519,9 @@ std::vector<std::string> SpeechText::marks_in_words(const Scene& scene) const {
         all.push_back(std::move(words));
     if (count > 0) all.push_back((count == 1 ? one : several).with(language(), {std::to_string(count)}));
   };
-  const auto name = [this](const MarkVector& vector) { return words_of_vector(vector); };
+  const auto name = [&](const MarkVector& vector) {
+    return words_of_vector(vector.quantity.text, scene, step);
+  };
   const auto at_tip = [&](const std::optional<MarkVector>& vector, const Phrase& where = words::kAtTheTipOf) {
     const std::string of = vector ? name(*vector) : "";
     return of.empty() ? of : where.with(language(), {of});
@@ -458,19 +542,32 @@ std::vector<std::string> SpeechText::marks_in_words(const Scene& scene) const {
                    : (trail.on_sphere ? words::kTrailOnSphere : words::kTrailOfTip).with(language(), {of});
       },
       words::kATrail, words::kTrails);
-  add(
-      scene.marks.arrows,
-      [&](const ArrowMark& arrow) {
-        const bool is_named = arrow.tex && !arrow.tex->empty();
-        const std::string of = is_named ? words_of_tex(*arrow.tex) : name(arrow.of);
-        return of.empty() ? of : words::kArrowOf.with(language(), {of, at_tip(arrow.at)});
-      },
-      words::kAnArrow, words::kArrows);
+  const OverlaySet drawn = drawn_overlays(scene);
+  std::vector<const ArrowMark*> nameless;
+  for (const ArrowMark& arrow : scene.marks.arrows) {
+    const bool has_label = !arrow.tex || !arrow.tex->empty();
+    // The angular velocity ω is said already.
+    if (!arrow.tex && !arrow.at && arrow.of.overlay && drawn.contains(*arrow.of.overlay)) continue;
+    const std::string of =
+        !has_label ? name(arrow.of) : words_of_label(arrow.tex ? *arrow.tex : arrow.of.quantity.tex);
+    if (of.empty())
+      nameless.push_back(&arrow);
+    else
+      all.push_back((of.back() == '"' || of.ends_with("“") ? words::kArrowNamed : words::kArrowOf)
+                        .with(language(), {of, at_tip(arrow.at)}));
+  }
+  if (!nameless.empty())
+    all.push_back((are_tip_to_tail(nameless) ? words::kArrowsTipToTail
+                   : nameless.size() == 1    ? words::kAnArrow
+                                             : words::kArrows)
+                      .with(language(), {std::to_string(nameless.size())}));
   add(
       scene.marks.angles,
       [&](const AngleMark& angle) {
         const std::string said =
             between(words::kTheAngle, words::kAngleFromTo, angle.tex, angle.from, angle.to);
+        if (said.empty() && is_right_angle(angle, make_model(scene), still_time_s(scene)))
+          return words::kARightAngle.with(language(), {at_tip(angle.at)});
         return said.empty() ? said : said + at_tip(angle.at);
       },
       words::kAnAngle, words::kAngles);
@@ -480,33 +577,44 @@ std::vector<std::string> SpeechText::marks_in_words(const Scene& scene) const {
         return between(words::kTheParallelogram, words::kParallelogramOf, area.tex, area.from, area.to);
       },
       words::kAParallelogram, words::kParallelograms);
-  add(
-      scene.marks.lines,
-      [&](const LineMark& line) {
-        const std::string from = name(line.from), to = name(line.to);
-        if (!from.empty() && !to.empty()) return words::kLineFromTo.with(language(), {from, to});
-        const std::string& end = from.empty() ? to : from;
-        return end.empty() ? end : words::kLineAt.with(language(), {end});
-      },
-      words::kALine, words::kLines);
+  if (are_edges_of_box(scene.marks.lines))
+    all.emplace_back(words::kEdgesOfBox.in(language()));
+  else
+    add(
+        scene.marks.lines,
+        [&](const LineMark& line) {
+          const std::string from = name(line.from), to = name(line.to);
+          if (!from.empty() && !to.empty()) return words::kLineFromTo.with(language(), {from, to});
+          const std::string& end = from.empty() ? to : from;
+          return end.empty() ? end : words::kLineAt.with(language(), {end});
+        },
+        words::kALine, words::kLines);
   add(
       scene.marks.planes,
       [&](const PlaneMark& plane) {
+        const std::string through = at_tip(plane.through, words::kThroughTheTipOf);
         const std::string normal = name(plane.normal);
-        return normal.empty() ? normal
-                              : words::kPlaneNormalTo.with(
-                                    language(), {normal, at_tip(plane.through, words::kThroughTheTipOf)});
+        if (!normal.empty()) return words::kPlaneNormalTo.with(language(), {normal, through});
+        const auto [first, second] = factors_of(plane.normal.quantity.text);
+        const std::string a = words_of_vector(first, scene, step), b = words_of_vector(second, scene, step);
+        return a.empty() || b.empty() ? "" : words::kPlaneOf.with(language(), {a, b, through});
       },
       words::kAPlane, words::kPlanes);
-  for (const NoteMark& note : scene.marks.notes)
-    all.push_back(words::kTheNote.with(language(), {words_of_line(note.text), at_tip(note.at)}));
+  for (const NoteMark& note : scene.marks.notes) {
+    const std::string said = words_of_line(note.text);
+    const bool is_name_of_vector =
+        note.at.overlay && drawn.contains(*note.at.overlay) && said == name(note.at);
+    if (!is_name_of_vector && !is_said_of_overlay(said, scene))
+      all.push_back(words::kTheNote.with(language(), {said, at_tip(note.at)}));
+  }
   return all;
 }
 
-std::string SpeechText::words_of_marks(const Scene& scene) const {
+std::string SpeechText::words_of_marks(const Step& step) const {
+  if (!step.scene) return "";
   std::vector<std::string> all;
-  for (const Scene* shown : shown_scenes(scene))
-    for (std::string& mark : marks_in_words(*shown))
+  for (const Scene* shown : shown_scenes(*step.scene))
+    for (std::string& mark : marks_in_words(*shown, place_of(step)))
       if (std::find(all.begin(), all.end(), mark) == all.end()) all.push_back(std::move(mark));
   return all.empty() ? "" : sentence(fmt::format("{}", fmt::join(all, "; ")));
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lessons as they would be read aloud: for alternative texts and transcripts. Formulas are in words: symbols
-// by their letters in lines of text, as the lesson's `say` has them in equations and in what figures show.
-// Computed numbers are those of the stills of their steps.
+// Lessons as they would be read aloud: for alternative texts and transcripts. Formulas are in words, symbols
+// by their letters wherever they stand. Computed numbers are those of the stills of their steps.
 #pragma once
 
 #include "app/narration/alt_text.h"
@@ -9,7 +8,9 @@
 #include "app/narration/still_numbers.h"
 #include "lessons/reader/lesson.h"
 
+#include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,12 +31,11 @@ class SpeechText {
   /// A phrase in the lesson's language: "Question: ".
   std::string opening(const Phrase& phrase) const { return std::string(phrase.in(lesson_.about.language)); }
 
-  /// Of a formula that stands by itself: symbols are what the lesson calls them, "angular momentum". A
-  /// vector whose name is no more than its letter is "vector L".
-  std::string words(const Math& math) const;
-  /// Of a formula in a line of text: symbols are their letters, as they are printed, for the words of the
-  /// line say what they are: "the angular momentum vector L". `before` is the line as far as there; behind
-  /// "the vector" it is not said again that it is one.
+  /// Of a formula that stands by itself: symbols are their letters, as they are printed, "vector L". Their
+  /// names would run into each other, "mass velocity", and need not be known yet.
+  std::string words(const Math& math) const { return words_in_line(math); }
+  /// Of a formula in a line of text: "the angular momentum vector L". `before` is the line as far as there;
+  /// behind "the vector" it is not said again that it is one.
   std::string words_in_line(const Math& math, std::string_view before = {}) const;
   /// Paragraphs and items of lists one after the other, in one line.
   /// `links`, if it is not null, gets those of the text, where they stand in what is returned.
@@ -67,9 +67,10 @@ class SpeechText {
   /// What the lesson's own plots of a scene show: "T and E against time; U against u, with the level E.";
   /// empty: there are none.
   std::string words_of_plots(const Scene& scene) const;
-  /// What the marks of a scene (mark.h), and of those beside it, are: "The angle theta from e z to e 3; the
-  /// trail of the tip of L."; empty: none is drawn.
-  std::string words_of_marks(const Scene& scene) const;
+  /// What the marks (mark.h) of a step's scene, and of those beside it, are: "The angle theta from e z to e
+  /// 3; the trail of the tip of L."; empty: none is drawn. Vectors have the names that stand in the figure,
+  /// or that the lesson has printed so far; of others it is said how many there are.
+  std::string words_of_marks(const Step& step) const;
   /// Of a line with formulas between dollars: "use the transport theorem with A equals L".
   std::string words_of_line(const std::string& line) const;
   /// Title, and what the steps from `first` to `last` add.
@@ -79,11 +80,22 @@ class SpeechText {
   Language language() const { return lesson_.about.language; }
   std::string number_in_words(double value) const;
   /// One after the other, of this scene alone.
-  std::vector<std::string> marks_in_words(const Scene& scene) const;
+  std::vector<std::string> marks_in_words(const Scene& scene, std::size_t step) const;
   std::vector<std::string> captions_in_words(const Step& step, const Scene& shown) const;
   std::string words_of_tex(const std::string& tex) const;
-  /// Empty: what it is made of says nothing to a reader.
-  std::string words_of_vector(const MarkVector& vector) const;
+  /// Of a name in a figure: letters, or its words in quotes.
+  std::string words_of_label(const std::string& tex) const;
+  std::array<std::string, 3> names_of_axes(const Scene& scene) const;
+  /// What a reader of the step knows a vector by that is written so, "omega"; empty: by nothing.
+  std::string words_of_vector(const std::string& written, const Scene& scene, std::size_t step) const;
+  /// By its order in the lesson; that of a step of no lesson is behind all.
+  std::size_t place_of(const Step& step) const;
+  /// What the lesson prints in its lines and equations, and where first.
+  struct Printed {
+    std::map<std::string, std::size_t> names;  ///< of symbols and axes, and the steps
+    std::string text;                          ///< all lines, with a blank around each
+  };
+  const Printed& printed() const;
   std::string words(const std::vector<TextSpan>& spans, std::vector<NoteLink>* links,
                     bool is_sentence = true) const;
   std::string words_of_caption(const Step& step, std::size_t shown) const;
@@ -93,10 +105,10 @@ class SpeechText {
   Math with_spoken_numbers(const Math& math, const StillNumbers::Values* numbers) const;
 
   const Lesson& lesson_;
-  std::vector<MathSymbol> symbols_;
-  std::map<std::string, std::string> names_;   ///< what is said of each symbol; empty: nothing
   std::vector<const Step*> steps_of_numbers_;  ///< by their ids
-  mutable StillNumbers stills_;                ///< computed when they are first spoken
+  std::map<const Step*, std::size_t> places_;
+  mutable std::optional<Printed> printed_;  ///< looked for when a mark is first spoken
+  mutable StillNumbers stills_;             ///< computed when they are first spoken
 };
 
 }  // namespace polhode

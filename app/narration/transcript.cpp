@@ -39,7 +39,7 @@ class Transcript {
       const std::string plots = step.scene ? speech_.words_of_plots(*step.scene) : "";
       if (!plots.empty() && plots != plots_) add_paragraph(plots, speech_.opening(words::kPlotted));
       plots_ = plots;
-      const std::string marks = step.scene ? speech_.words_of_marks(*step.scene) : "";
+      const std::string marks = speech_.words_of_marks(step);
       if (!marks.empty() && marks != marks_) add_paragraph(marks, speech_.opening(words::kDrawn));
       marks_ = marks;
     }

@@ -5,6 +5,7 @@
 #include "base/words/page_words.h"
 #include "lessons/claims/live_claims.h"
 #include "render/scene/model/translation.h"
+#include "render/typeset/math/symbols.h"
 #include "render/typeset/math/tree.h"
 
 #include <fmt/format.h>
@@ -125,6 +126,18 @@ std::string words_of_link(const Lesson& lesson, const std::string& link) {
   return phrase.with(lesson.about.language, {link});
 }
 
+/// The lesson's symbol that a term is, and nothing beside it; empty: it is more, or none.
+std::string symbol_in(const Lesson& lesson, const Math& term) {
+  std::vector<MathSymbol> symbols;
+  for (const auto& [name, symbol] : lesson.symbols) symbols.push_back({name, symbol.math, {}});
+  std::span<const MathNode> atoms(term.root.get(), 1);
+  while (atoms.size() == 1 && (atoms[0].kind == MathNode::Kind::row || atoms[0].kind == MathNode::Kind::term))
+    atoms = atoms[0].children;
+  if (atoms.empty()) return "";
+  const MathSymbols::Found found = MathSymbols(&symbols).at(atoms, 0);
+  return found.symbol != nullptr && found.count == atoms.size() ? found.symbol->name : "";
+}
+
 }  // namespace
 
 std::string readable(double value, int digits) {
@@ -141,7 +154,10 @@ SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneMod
   const auto found = lesson.symbols.find(name);
   if (found == lesson.symbols.end()) {
     const Math term = term_seen_last(lesson, name, stage_id, step);
-    if (term.root) note.meaning = SpeechText(lesson).words(term);
+    if (!term.root) return note;
+    if (const std::string symbol = symbol_in(lesson, term); !symbol.empty())
+      return note_of(lesson, symbol, model, t_s, stage_id, step);
+    note.meaning = SpeechText(lesson).words(term);
     return note;
   }
   note.meaning = found->second.note.empty() ? found->second.say : found->second.note;

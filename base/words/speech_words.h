@@ -4,6 +4,9 @@
 
 #include "base/words/phrase.h"
 
+#include <array>
+#include <string_view>
+
 namespace polhode::words {
 
 // Alternative texts of figures.
@@ -15,25 +18,40 @@ inline constexpr Phrase kDiagrams{"Diagrams", "Diagramme"};
 inline constexpr Phrase kADiagram{"A diagram", "Ein Diagramm"};
 inline constexpr Phrase kNothing{"nothing", "nichts"};
 inline constexpr Phrase kAnd{" and ", " und "};
-inline constexpr Phrase kBodyTurnsAt{"At t = {0} s the body turns at {1} rad/s",
-                                     "Zur Zeit t = {0} s dreht sich der Körper mit {1} rad/s"};
+inline constexpr Phrase kBodyTurnsAt{
+    "At t = {0} seconds the body turns at {1} radians per second",
+    "Zur Zeit t = {0} Sekunden dreht sich der Körper mit {1} Radiant pro Sekunde"};
 inline constexpr Phrase kOmegaAlongL{", with ω along L", ", mit ω in Richtung von L"};
-inline constexpr Phrase kOmegaAwayFromL{", with ω {0}° away from L", ", ω weicht um {0}° von L ab"};
+inline constexpr Phrase kOmegaAwayFromL{", with ω {0} degrees away from L",
+                                        ", ω weicht um {0} Grad von L ab"};
 // Of the pictures of one motion at several moments.
-inline constexpr Phrase kTheSameAt{"The same at t = {0} s.", "Dasselbe bei t = {0} s."};
+inline constexpr Phrase kTheSameAt{"The same at t = {0} seconds.", "Dasselbe bei t = {0} Sekunden."};
 inline constexpr Phrase kScene{"Scene {0}: ", "Szene {0}: "};
-inline constexpr Phrase kAxesPoint{
-    "Axis 1 of the body points {1}° away from where it pointed at t = {0} s, axis 2 {2}°, axis 3 {3}°.",
-    "Achse 1 des Körpers weicht von ihrer Richtung bei t = {0} s um {1}° ab, Achse 2 um {2}°, Achse 3 um "
-    "{3}°."};
+inline constexpr Phrase kAxisPoints{
+    "Axis {0} of the body points {1} degrees away from where it pointed at t = {2} seconds.",
+    "Achse {0} des Körpers weicht um {1} Grad von ihrer Richtung bei t = {2} Sekunden ab."};
+inline constexpr Phrase kWentRoundL{"Since t = {0} seconds {1} has gone round L {2}.",
+                                    "Seit t = {0} Sekunden ist {1} {2} um L gelaufen."};
+inline constexpr Phrase kBothWentRoundL{"Since t = {0} seconds {1} has gone round L {2}, and {3} has {4}.",
+                                        "Seit t = {0} Sekunden ist {1} {2} um L gelaufen, und {3} {4}."};
+inline constexpr Phrase kOnce{"once", "einmal"};
+inline constexpr Phrase kSoManyTimes{"{0} times", "{0} Mal"};
+inline constexpr Phrase kWentRoundAxis{
+    "Since t = {0} seconds {1} has gone {2} round axis {3}, {4} seen from its tip.",
+    "Seit t = {0} Sekunden ist {1} {2} um Achse {3} gelaufen, {4}, von ihrer Spitze aus gesehen."};
+inline constexpr Phrase kAnticlockwise{"anticlockwise", "gegen den Uhrzeigersinn"};
+inline constexpr Phrase kClockwise{"clockwise", "im Uhrzeigersinn"};
 inline constexpr Phrase kOmegaInBody{
-    "Along axes 1, 2, 3 ω has the components {0}, {1}, {2} rad/s.",
-    "Längs der Achsen 1, 2, 3 hat ω die Komponenten {0}; {1} und {2} rad/s."};
-inline constexpr Phrase kLInBody{"Along axes 1, 2, 3 L has the components {0}, {1}, {2} kg m²/s.",
-                                 "Längs der Achsen 1, 2, 3 hat L die Komponenten {0}; {1} und {2} kg m²/s."};
+    "Along axes 1, 2, 3 ω has the components {0}, {1} and {2} radians per second.",
+    "Längs der Achsen 1, 2, 3 hat ω die Komponenten {0}; {1} und {2} Radiant pro Sekunde."};
+inline constexpr Phrase kLInBody{
+    "Along axes 1, 2, 3 L has the components {0}, {1} and {2} kilogram square metres per second.",
+    "Längs der Achsen 1, 2, 3 hat L die Komponenten {0}; {1} und {2} Kilogrammquadratmeter pro Sekunde."};
 inline constexpr Phrase kPlotsAlone{"Plots alone. ", "Nur Kurven. "};
-inline constexpr Phrase kTheBodyIs{"The body is {0}with principal moments {1}, {2}, {3} kg m². ",
-                                   "Der Körper {0}hat die Hauptträgheitsmomente {1}; {2} und {3} kg m². "};
+inline constexpr Phrase kTheBodyIs{
+    "The {0} has the principal moments {1}, {2} and {3} kilogram square metres. ",
+    "Der {0} hat die Hauptträgheitsmomente {1}; {2} und {3} Kilogrammquadratmeter. "};
+inline constexpr Phrase kBody{"body", "Körper"};
 inline constexpr Phrase kSceneOf{"Scene {0} of {1}, side by side. ", "Szene {0} von {1}, nebeneinander. "};
 
 // Marks.
@@ -47,12 +65,21 @@ inline constexpr Phrase kTrailOnSphere{"the trail of the direction of {0} on the
                                        "die Spur der Richtung von {0} auf der Einheitskugel"};
 inline constexpr Phrase kTrailOfTip{"the trail of the tip of {0}", "die Spur der Spitze von {0}"};
 inline constexpr Phrase kArrowOf{"the arrow of {0}{1}", "der Pfeil {0}{1}"};
+inline constexpr Phrase kArrowNamed{"the arrow {0}{1}", "der Pfeil {0}{1}"};  ///< by words
+inline constexpr Phrase kInQuotes{"\"{0}\"", "„{0}“"};
+inline constexpr Phrase kAxis{"axis {0}", "Achse {0}"};
+inline constexpr Phrase kARightAngle{"a right angle{0}", "ein rechter Winkel{0}"};
 inline constexpr Phrase kAngleFromTo{"the angle {0}from {1} to {2}", "der Winkel {0}zwischen {1} und {2}"};
 inline constexpr Phrase kParallelogramOf{"the parallelogram {0}of {1} and {2}",
                                          "das Parallelogramm {0}aus {1} und {2}"};
 inline constexpr Phrase kLineFromTo{"a line from the tip of {0} to the tip of {1}",
                                     "eine Linie von der Spitze von {0} zu der von {1}"};
 inline constexpr Phrase kPlaneNormalTo{"the plane normal to {0}{1}", "die Ebene senkrecht zu {0}{1}"};
+inline constexpr Phrase kPlaneOf{"the plane of {0} and {1}{2}", "die Ebene von {0} und {1}{2}"};
+inline constexpr Phrase kEdgesOfBox{"the twelve dashed edges of a box",
+                                    "die zwölf gestrichelten Kanten eines Quaders"};
+inline constexpr Phrase kArrowsTipToTail{"a chain of {0} arrows from tip to tip",
+                                         "eine Kette von {0} Pfeilen"};
 // Of what lies where no reader knows a name for.
 inline constexpr Phrase kTheAngle{"the angle {0}", "der Winkel {0}"};
 inline constexpr Phrase kTheParallelogram{"the parallelogram {0}", "das Parallelogramm {0}"};
@@ -66,6 +93,50 @@ inline constexpr Phrase kALine{"a dashed line", "eine gestrichelte Linie"};
 inline constexpr Phrase kLines{"{0} dashed lines", "{0} gestrichelte Linien"};
 inline constexpr Phrase kAPlane{"a plane", "eine Ebene"}, kPlanes{"{0} planes", "{0} Ebenen"};
 inline constexpr Phrase kTheNote{"the note \"{0}\"{1}", "die Notiz „{0}“{1}"};
+
+// Plots: what they show against what, and how each curve goes.
+inline constexpr Phrase kAgainstFromTo{"against {0} from {1} to {2}. ", "über {0} von {1} bis {2}. "};
+inline constexpr Phrase kFromTo{"from {0} to {1}. ", "von {0} bis {1}. "};
+inline constexpr Phrase kAtMost{"at most {0}", "höchstens {0}"};
+inline constexpr Phrase kStaysAt{"stays at {0}", "bleibt bei {0}"};
+inline constexpr Phrase kRises{"rises from {0} to {1}", "steigt von {0} auf {1}"};
+inline constexpr Phrase kFalls{"falls from {0} to {1}", "fällt von {0} auf {1}"};
+inline constexpr Phrase kThenRises{", rises to {0}", ", steigt auf {0}"};
+inline constexpr Phrase kThenFalls{", falls to {0}", ", fällt auf {0}"};
+inline constexpr Phrase kOscillates{"oscillates between {0} and {1}, with {2}",
+                                    "schwingt zwischen {0} und {1}, mit {2}"};
+inline constexpr Phrase kGoesUpAndDown{"goes up and down between {0} and {1}, with {2}",
+                                       "geht auf und ab zwischen {0} und {1}, mit {2}"};
+inline constexpr Phrase kAMaximum{"one maximum", "einem Maximum"};
+inline constexpr Phrase kMaxima{"{0} maxima", "{0} Maxima"};
+inline constexpr Phrase kThenLeaves{", then leaves the plot", ", und verlässt dann das Bild"};
+inline constexpr Phrase kPathBetween{"a path between {0} and {1}", "eine Bahn zwischen {0} und {1}"};
+inline constexpr Phrase kPathCloses{", which comes back to where it began",
+                                    ", die zu ihrem Anfang zurückkehrt"};
+
+/// What is said of a unit; others are said as they are written.
+struct UnitWords {
+  std::string_view unit;
+  Phrase words;
+};
+inline constexpr auto kUnits = std::to_array<UnitWords>({
+    {"s", {"seconds", "Sekunden"}},
+    {"ms", {"milliseconds", "Millisekunden"}},
+    {"rad/s", {"radians per second", "Radiant pro Sekunde"}},
+    {"mrad/s", {"milliradians per second", "Milliradiant pro Sekunde"}},
+    {"rad", {"radians", "Radiant"}},
+    {"deg", {"degrees", "Grad"}},
+    {"°", {"degrees", "Grad"}},
+    {"m", {"metres", "Meter"}},
+    {"m/s", {"metres per second", "Meter pro Sekunde"}},
+    {"J", {"joules", "Joule"}},
+    {"mJ", {"millijoules", "Millijoule"}},
+    {"W", {"watts", "Watt"}},
+    {"N m", {"newton metres", "Newtonmeter"}},
+    {"kg m²", {"kilogram square metres", "Kilogrammquadratmeter"}},
+    {"kg m²/s", {"kilogram square metres per second", "Kilogrammquadratmeter pro Sekunde"}},
+    {"rad/s²", {"radians per second squared", "Radiant pro Quadratsekunde"}},
+});
 
 // Transcripts.
 inline constexpr Phrase kTable{"Table.", "Tabelle."};

@@ -1,38 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/text/symbol_glossary.h"
 
+#include "app/narration/step_formulas.h"
 #include "lessons/claims/expressions/vocabulary.h"
 
 #include <algorithm>
 
 namespace polhode {
-
-namespace {
-
-template <class Do>
-void for_each_formula(const RichText& text, const Do& act) {
-  for_each_span(text, [&](const TextSpan& span) {
-    if (span.kind == TextSpan::Kind::math) act(span.math);
-  });
-}
-
-/// Of what a reader of the step sees in its column.
-template <class Do>
-void for_each_formula(const Step& step, const Do& act) {
-  for_each_formula(step.title, act);
-  for (const Block& block : step.blocks) {
-    if (const auto* equation = std::get_if<Equation>(&block)) act(equation->math);
-    if (const auto* prose = std::get_if<Prose>(&block)) for_each_formula(prose->text, act);
-    if (const auto* callout = std::get_if<Callout>(&block)) for_each_formula(callout->text, act);
-    if (const auto* note = std::get_if<Footnote>(&block)) for_each_formula(note->text, act);
-    if (const auto* ask = std::get_if<Ask>(&block)) {
-      for_each_formula(ask->prompt_text, act);
-      for (const RichText& choice : ask->choice_texts) for_each_formula(choice, act);
-    }
-  }
-}
-
-}  // namespace
 
 SymbolGlossary::SymbolGlossary(const Lesson& lesson, const std::vector<MathSymbol>& symbols) {
   std::map<std::string, std::string, std::less<>> wanted;

@@ -83,7 +83,8 @@ Outcome<std::vector<ReaderPicture>> ReaderFigures::moments(const Stage& stage, i
     Outcome<ReaderPicture> one = moment(stage, step, t_s, size);
     if (!one) return passed_on(one);
     // They are the answer: the first is told whole, of the others what has changed.
-    std::string change = moment_in_words(model_of(of), interval.from_s, t_s);
+    std::string change =
+        moment_in_words(model_of(of), words_of_scenes(of), interval.from_s, interval.to_s, t_s);
     if (i > 0)
       one->alt = std::move(change);
     else if (!change.empty())

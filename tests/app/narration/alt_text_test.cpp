@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace polhode {
 namespace {
 
@@ -21,7 +23,7 @@ TEST(AltText, SaysWhatIsShownAndNothingElse) {
   EXPECT_THAT(text, testing::StartsWith(
                         "Seen from space: the energy ellipsoid, the angular velocity ω and the polhode."));
   EXPECT_THAT(text, Not(HasSubstr("plane")));
-  EXPECT_THAT(text, testing::EndsWith("At t = 1.25 s the body turns at 2 rad/s."));
+  EXPECT_THAT(text, testing::EndsWith("At t = 1.25 seconds the body turns at 2 radians per second."));
 }
 
 Scene with_L() {
@@ -32,8 +34,9 @@ Scene with_L() {
 
 // 28 November 2026: it was told of pictures without L, and of those that ask for it.
 TEST(AltText, HowOmegaLiesToLIsToldWhereBothAreDrawn) {
-  EXPECT_THAT(alt_text(with_L(), {}, Vec3(0, 0, 2), 1.25),
-              testing::EndsWith("At t = 1.25 s the body turns at 2 rad/s, with ω along L."));
+  EXPECT_THAT(
+      alt_text(with_L(), {}, Vec3(0, 0, 2), 1.25),
+      testing::EndsWith("At t = 1.25 seconds the body turns at 2 radians per second, with ω along L."));
   EXPECT_THAT(alt_text(rolling(), {}, Vec3(0, 0, 2), 1.25), Not(HasSubstr("along L")));
   Scene arrow = rolling();
   ArrowMark mark;
@@ -43,28 +46,92 @@ TEST(AltText, HowOmegaLiesToLIsToldWhereBothAreDrawn) {
 }
 
 TEST(AltText, AQuestionsFigureDoesNotAnswerIt) {
-  EXPECT_THAT(alt_text(with_L(), {.is_asked = true}, Vec3(0, 0, 2), 1.25),
-              testing::EndsWith("with principal moments 1, 1.75, 2.5 kg m²."));
+  EXPECT_THAT(
+      alt_text(with_L(), {.is_asked = true}, Vec3(0, 0, 2), 1.25),
+      testing::EndsWith("The body has the principal moments 1, 1.75 and 2.5 kilogram square metres."));
 }
 
 TEST(AltText, TellsWhatChangesFromMomentToMoment) {
   Scene scene = rolling();
   scene.show = {Overlay::shape, Overlay::omega};
-  scene.w0_B = {0, 0, 2};
-  const SceneModel model = make_model(scene);
-  EXPECT_EQ(moment_in_words(model, 0.0, 0.0), "Along axes 1, 2, 3 ω has the components 0, 0, 2 rad/s.");
-  // 2 rad/s for π/2 s are half a turn.
-  EXPECT_EQ(moment_in_words(model, 0.0, 1.5707963),
-            "The same at t = 1.571 s. Axis 1 of the body points 180° away from where it pointed at t = 0 s, "
-            "axis 2 180°, axis 3 0°. Along axes 1, 2, 3 ω has the components 0, 0, 2 rad/s.");
-  scene.show = {Overlay::shape};
+  scene.w0_B = {0, 2, 0};
+  SceneModel model = make_model(scene);
+  EXPECT_EQ(moment_in_words(model, {}, 0.0, 3.0, 0.0), "") << "nothing has changed yet";
+  EXPECT_EQ(
+      moment_in_words(model, {}, 0.0, 3.0, 1.5707963),
+      "The same at t = 1.571 seconds. Axis 2 of the body points 0 degrees away from where it pointed at "
+      "t = 0 seconds.")
+      << "only the axis about which it turns";
   scene.views = {View::body};
-  EXPECT_EQ(moment_in_words(make_model(scene), 0.0, 1.0), "The same at t = 1 s.") << "nothing else is drawn";
+  model = make_model(scene);
+  EXPECT_EQ(moment_in_words(model, {}, 0.0, 3.0, 0.0),
+            "Along axes 1, 2, 3 ω has the components 0, 2 and 0 radians per second.");
+  scene.show = {Overlay::shape};
+  EXPECT_EQ(moment_in_words(make_model(scene), {}, 0.0, 1.0, 1.0), "The same at t = 1 seconds.")
+      << "nothing else is drawn";
+}
+
+// 28 November 2026: of a plate, "how many wobbles?", the angles that the axes had turned by, but no round.
+// I₁ = 1, I₃ = 2, ω₃ = 1, and hardly a lean: the axis goes round L twice a turn of the body.
+TEST(AltText, MomentsCountRoundsAboutL) {
+  Scene scene = rolling();
+  scene.body = {"plate", PrincipalMoments(1, 1, 2), std::nullopt};
+  scene.show = {Overlay::shape, Overlay::L};
+  scene.w0_B = {0.04, 0, 1};
+  const double turn_s = 2.0 * std::numbers::pi;
+  EXPECT_EQ(
+      moment_in_words(make_model(scene), {}, 0.0, turn_s, turn_s),
+      "The same at t = 6.283 seconds. Since t = 0 seconds axis 3 has gone round L 2 times, and axis 1 has "
+      "once.");
+}
+
+TEST(AltText, MomentsCallAxesByTheirNamesInTheFigure) {
+  Scene scene = rolling();
+  scene.body = {"plate", PrincipalMoments(1, 1, 2), std::nullopt};
+  scene.show = {Overlay::shape, Overlay::L};
+  scene.w0_B = {0.04, 0, 1};
+  EXPECT_THAT(moment_in_words(make_model(scene), {{.axes = {"\"mark\"", "", ""}}}, 0.0, 6.2831853, 6.2831853),
+              testing::EndsWith("axis 3 has gone round L 2 times, and \"mark\" has once."));
+  scene.body = {"book", PrincipalMoments(1, 1.5, 2), std::nullopt};
+  EXPECT_THAT(moment_in_words(make_model(scene), {}, 0.0, 6.2831853, 6.2831853),
+              HasSubstr("Axis 3 of the body points"))
+      << "of a body that may turn over rounds tell nothing";
+}
+
+// λ = (I₃ − I₁)/I₁ ω₃ = 1 rad/s, from axis 1 towards axis 2.
+TEST(AltText, MomentsSayWhichWayRoundOmegaGoesInTheBody) {
+  Scene scene = rolling();
+  scene.body = {"plate", PrincipalMoments(1, 1, 2), std::nullopt};
+  scene.views = {View::body};
+  scene.show = {Overlay::shape, Overlay::omega};
+  scene.w0_B = {0.5, 0, 1};
+  EXPECT_EQ(moment_in_words(make_model(scene), {}, 0.0, 3.1415927, 1.5707963),
+            "The same at t = 1.571 seconds. Since t = 0 seconds ω has gone 0.25 times round axis 3, "
+            "anticlockwise seen from its tip.");
+  scene.body = {"rod", PrincipalMoments(2, 2, 1), std::nullopt};  // λ = −½ rad/s
+  EXPECT_THAT(moment_in_words(make_model(scene), {}, 0.0, 6.2831853, 3.1415927),
+              HasSubstr("ω has gone 0.25 times round axis 3, clockwise"));
+}
+
+// 28 November 2026: 'The body is "near"', which is a word of the file.
+TEST(AltText, ABodyHasTheNameThatTheLessonGivesIt) {
+  EXPECT_THAT(alt_text(rolling(), {}, Vec3(0, 0, 2), 0.0),
+              HasSubstr("The body has the principal moments 1, "));
+  EXPECT_THAT(alt_text(rolling(), {.body = "plate"}, Vec3(0, 0, 2), 0.0),
+              HasSubstr("The plate has the principal moments 1, "));
+}
+
+TEST(AltText, TheSameBodyIsToldOnce) {
+  Scene first = rolling(), other = rolling();
+  first.beside = {other};
+  const std::string text = alt_text(make_model(first), {{}, {}}, 0.0);
+  EXPECT_EQ(text.find("principal moments"), text.rfind("principal moments"));
 }
 
 // I = (1, 1.75, 2.5), ω = (1, 0, 1): L = (1, 0, 2.5), the angle is atan(2.5) − 45° = 23.2°.
 TEST(AltText, NumbersAreComputedForTheMoment) {
-  EXPECT_THAT(alt_text(with_L(), {}, Vec3(1, 0, 1), 0.0), HasSubstr("1.41 rad/s, with ω 23° away from L"));
+  EXPECT_THAT(alt_text(with_L(), {}, Vec3(1, 0, 1), 0.0),
+              HasSubstr("1.41 radians per second, with ω 23 degrees away from L"));
 }
 
 TEST(AltText, ABodyAtRestHasNoAngle) {
@@ -121,15 +188,17 @@ TEST(AltText, ScenesSideBySideAreSaidInTurn) {
   other.w0_B = {3, 0, 0};
   other.views = {View::body};
   first.beside = {other};
-  const std::string text = alt_text(make_model(first), {{"Left", {}}, {"Right", {"the arrow of a"}}}, 0.5);
+  const std::string text = alt_text(
+      make_model(first), {{.caption = "Left"}, {.caption = "Right", .marks = {"the arrow of a"}}}, 0.5);
   EXPECT_THAT(text, testing::StartsWith("Scene 1 of 2, side by side. Seen from space: "));
   EXPECT_THAT(text, HasSubstr("Left. "));
   EXPECT_THAT(
       text,
       HasSubstr(
-          "the body turns at 2 rad/s, with ω along L. Scene 2 of 2, side by side. Seen from the body: "));
+          "the body turns at 2 radians per second, with ω along L. Scene 2 of 2, side by side. Seen from the "
+          "body: "));
   EXPECT_THAT(text, HasSubstr("and the arrow of a. Right. "));
-  EXPECT_THAT(text, testing::EndsWith("the body turns at 3 rad/s, with ω along L."));
+  EXPECT_THAT(text, testing::EndsWith("the body turns at 3 radians per second, with ω along L."));
 }
 
 }  // namespace

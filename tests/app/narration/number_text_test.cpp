@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace polhode {
 namespace {
 
@@ -44,6 +46,22 @@ TEST(NumberText, IsSpokenInWords) {
   EXPECT_EQ(number_words(-0.75), "minus 0.750");
   EXPECT_EQ(number_words(0.001234), "1.23 times 10 to the power minus 3");
   EXPECT_EQ(number_words(-181196.5, 2), "minus 1.8 times 10 to the power 5");
+}
+
+// 28 November 2026: alternative texts said "8.01e+37" and "-5.66".
+TEST(NumberText, HeardNumbersHaveNoZerosBehindThemAndNoSigns) {
+  const auto said = [](double value, Language language = Language::en) {
+    return short_number_words(value, 3, language);
+  };
+  EXPECT_EQ(said(0.5), "0.5");
+  EXPECT_EQ(said(-5.664), "minus 5.66");
+  EXPECT_EQ(said(120), "120");
+  EXPECT_EQ(said(0.0025), "0.0025");
+  EXPECT_EQ(said(1.7e-5), "1.7 times 10 to the power minus 5");
+  EXPECT_EQ(said(8e37), "8 times 10 to the power 37");
+  EXPECT_EQ(said(-0.5, Language::de), "minus 0,5");
+  EXPECT_EQ(said(-0.0), "0");
+  EXPECT_EQ(said(std::numeric_limits<double>::infinity()), "not defined");
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(Transcript, HasWhatIsReadInItsOrder) {
   std::size_t at = 0;
   for (const char* part : {"A spoken lesson\n===============\n", "\n1. The first stage\n------------------\n",
                            "The vector omega is long:\n", "\n  • one item\n  • another item\n",
-                           "    Equation (7): angular velocity", "  > The lecture said: It is small.\n",
+                           "    Equation (7): vector omega equals 0", "  > The lecture said: It is small.\n",
                            "  > What it meant: It is zero.\n",
                            "Question: How long is it?\n  A. short\n  B. zero\n", "\n2. The second stage\n"}) {
     const std::size_t found = text.find(part, at);
@@ -108,12 +108,10 @@ More of it.
   for (std::size_t at; (at = text.find("  ")) != text.npos;) text.erase(at, 1);
   EXPECT_THAT(
       text,
-      HasSubstr("Drawn: the trail of the direction of angular velocity on the unit sphere; the arrow of "
-                "a at the tip of angular velocity; the arrow of angular velocity; the angle b from "));
-  EXPECT_THAT(
-      text,
-      HasSubstr("to angular velocity; the plane normal to angular velocity; the note \"the tip of c\" at "
-                "the tip of angular velocity."));
+      HasSubstr(
+          "Drawn: the trail of the direction of vector omega on the unit sphere; the arrow of a at the "
+          "tip of vector omega; the arrow of vector omega; the angle b from axis z to vector omega; the "
+          "plane normal to vector omega; the note \"the tip of c\" at the tip of vector omega."));
   EXPECT_EQ(text.find("Drawn: "), text.rfind("Drawn: ")) << "a step goes on with it";
 }
 
@@ -133,10 +131,70 @@ notes  = [{ text = "here", at = "0.6*(omega/norm(omega) + ez)" }]
   const LessonReading reading = check_lesson(with_marks, "spoken.md");
   ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
   EXPECT_EQ(
-      SpeechText(*reading.lesson).words_of_marks(*reading.lesson->stages[2].steps[0].scene),
-      "the arrow of angular velocity; the arrow of a; an arrow; the angle b; an angle; a line at the "
-      "tip of angular velocity; 2 dashed lines; the plane normal to angular velocity cross e hat sub z; "
-      "the note \"here\".");
+      SpeechText(*reading.lesson).words_of_marks(reading.lesson->stages[2].steps[0]),
+      "the arrow of vector omega; the arrow of a; an arrow; the angle b; an angle; a line at the tip of "
+      "vector omega; 2 dashed lines; the plane of vector omega and axis z; the note \"here\".");
+}
+
+std::string marks_of(const std::string& front_matter, const std::string& text) {
+  const LessonReading reading = check_lesson(
+      "+++\nformat = 1\nid = \"marks\"\ntitle = \"Marks\"\n" + front_matter + "\n+++\n" + text, "marks.md");
+  EXPECT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
+  const Stage& last = reading.lesson->stages.back();
+  return SpeechText(*reading.lesson).words_of_marks(last.steps.back());
+}
+
+// 28 November 2026: "at the tip of part of L along omega", and capital omega before a line had it.
+TEST(Transcript, MarksHaveNamesThatTheFigureOrTheTextShows) {
+  const std::string words =
+      "[define]\nmain = { means = \"I1*omega\", tex = '\\vec k', say = \"a part\", unit = \"kg m²/s\" }";
+  const std::string scene =
+      "```scene\narrows = [{ of = \"main\", tex = 'I_1\\vec\\omega' }, { of = \"L\", at = \"main\" }]\n"
+      "trails = [{ of = \"main\" }]\nangles = [{ from = \"e3\", to = \"L\", tex = '\\theta' }]\n```\n";
+  EXPECT_EQ(marks_of(words, "# A {a}\n" + scene),
+            "the trail of the tip of I sub 1 vector omega; the arrow of I sub 1 vector omega; the arrow of "
+            "vector L at the tip of I sub 1 vector omega; the angle theta from axis 3 to vector L.");
+  const std::string trail = "```scene\ntrails = [{ of = \"main\" }]\n```\n";
+  EXPECT_EQ(marks_of(words, "# A {a}\n" + trail), "a trail.") << "no reader knows k yet";
+  EXPECT_EQ(marks_of("[define]\nt1 = { means = \"1*e1\", tex = 't_1', say = \"axis 1\", unit = \"1\" }",
+                     "# A {a}\n```scene\ntrails = [{ of = \"t1\" }]\n```\n"),
+            "the trail of the tip of axis 1.");
+  EXPECT_EQ(marks_of(words, "# A {a}\nCall it $\\vec k$.\n\n---\n" + trail),
+            "the trail of the tip of vector k.");
+  EXPECT_EQ(marks_of("", "# A {a}\n```scene\narrows = [{ of = \"e1\", tex = '\\text{mark}' }]\n```\n"),
+            "the arrow \"mark\".");
+}
+
+// 28 November 2026: twelve times "a line from the tip of the first corner of the box to …".
+TEST(Transcript, MarksOfOneKindAreToldTogether) {
+  const std::string corners =
+      "[define]\na = \"e1 + e2 + e3\"\nb = \"e1 + e2 - e3\"\nc = \"e1 - e2 + e3\"\nd = \"e1 - e2 - e3\"";
+  EXPECT_EQ(
+      marks_of(corners,
+               "# A {a}\n```scene\nlines = [{ from = \"a\", to = \"b\" }, { from = \"c\", to = \"d\" }, { "
+               "from = \"a\", "
+               "to = \"c\" }, { from = \"b\", to = \"d\" }, { from = \"-a\", to = \"-b\" }, { from = \"-c\", "
+               "to = \"-d\" }, "
+               "{ from = \"-a\", to = \"-c\" }, { from = \"-b\", to = \"-d\" }, { from = \"a\", to = \"-d\" "
+               "}, { from = "
+               "\"b\", to = \"-c\" }, { from = \"c\", to = \"-b\" }, { from = \"d\", to = \"-a\" }]\n```\n"),
+      "the twelve dashed edges of a box.");
+  EXPECT_EQ(
+      marks_of(
+          "",
+          "# A {a}\n```scene\narrows = [{ of = \"w1*e1\", tex = \"\" }, { of = \"w2*e2\", at = "
+          "\"w1*e1\", tex = \"\" }]\nangles = [{ from = \"cross(omega, L)\", to = \"L\", tex = '' }]\n```\n"),
+      "a chain of 2 arrows from tip to tip; a right angle.");
+}
+
+// 28 November 2026: "the body axes 1, 2, 3, … the note 1, the note 2 and the note 3".
+TEST(Transcript, WhatAnOverlaySaysIsNotSaidAgain) {
+  EXPECT_EQ(
+      marks_of(
+          "",
+          "# A {a}\n```scene\nshow = [\"axes-body\", \"omega\"]\narrows = [{ of = \"omega\" }, { of = "
+          "\"L\" }]\nnotes = [{ text = \"1\", at = \"1.3*e1\" }, { text = \"north\", at = \"ez\" }]\n```\n"),
+      "the arrow of vector L; the note \"north\" at the tip of axis z.");
 }
 
 TEST(SpeechText, SaysAPage) {
@@ -199,7 +257,7 @@ TEST(SpeechText, TellsAVectorFromItsMagnitude) {
     return SpeechText(*reading.lesson).words(*blocks_of<Equation>(reading.lesson->stages[0].steps[0]).at(0));
   };
   EXPECT_EQ(said("", "L = { tex = '\\vec L', say = 'angular momentum' }"),
-            "Equation: angular momentum equals vector M plus L.");
+            "Equation: vector L equals vector M plus L.");
   EXPECT_EQ(said("", "L = { tex = '\\vec L', say = 'L' }"), "Equation: vector L equals vector M plus L.");
   EXPECT_EQ(said("language = 'de'\n", "L = { tex = '\\vec L', say = 'L' }"),
             "Gleichung: Vektor L gleich Vektor M plus L.");

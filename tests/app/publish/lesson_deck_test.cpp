@@ -64,7 +64,7 @@ TEST(DeckNotes, AreWhatTheStepsSay) {
   const SpeechText speech(*lesson.lesson);
   const Stage& stage = lesson.lesson->stages[0];
   EXPECT_THAT(texts(notes_of(speech, stage, 1, 1)),
-              ElementsAre("First words.", "• one", "• two", "Equation (5): angular momentum equals 0."));
+              ElementsAre("First words.", "• one", "• two", "Equation (5): vector L equals 0."));
   EXPECT_THAT(texts(notes_of(speech, stage, 2, 3)),
               ElementsAre("The lecture said: It stops.", "Question: Why?", "A. Because.", "B. For vector L.",
                           "More."));
@@ -77,10 +77,9 @@ TEST(DeckNotes, HaveTheVerdicts) {
   proved.replace(proved.find("\\vec L = 0"), 10, "\\frac{d\\vec L}{dt} = 0");
   const auto lesson = check_lesson(proved, "notes.md");
   ASSERT_TRUE(lesson.lesson) << lesson.diagnostics[0].message;
-  EXPECT_THAT(
-      texts(notes_of(SpeechText(*lesson.lesson), lesson.lesson->stages[0], 1, 1)),
-      ElementsAre("First words.", "• one", "• two", "Equation (5): d angular momentum over d t equals 0.",
-                  "True when no torque acts."));
+  EXPECT_THAT(texts(notes_of(SpeechText(*lesson.lesson), lesson.lesson->stages[0], 1, 1)),
+              ElementsAre("First words.", "• one", "• two", "Equation (5): d vector L over d t equals 0.",
+                          "True when no torque acts."));
 }
 
 ExportOptions options_of(What what, Each each) {
