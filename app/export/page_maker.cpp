@@ -7,6 +7,7 @@
 #include "app/narration/still_numbers.h"
 #include "app/page/figure_cells.h"
 #include "app/page/page.h"
+#include "app/page/plot_words.h"
 #include "app/page/text/page_text.h"
 #include "base/words/speech_words.h"
 
@@ -39,7 +40,8 @@ class PageMaker : public PictureMaker {
       const Scene& scene = cell.model->scene;  // which a hand may have changed
       description.alt += ' ' + speech_.opening(words::kFigure) +
                          alt_text(*cell.model, speech_.words_of_scenes(*cell.step, scene), cell.t_s);
-      if (const std::string plots = speech_.words_of_plots(scene); !plots.empty())
+      const bool is_asked = !blocks_of<Ask>(*cell.step).empty();
+      if (const std::string plots = words_of_plots(*cell.model, cell.t_s, speech_, is_asked); !plots.empty())
         description.alt += ' ' + speech_.opening(words::kPlotted) + plots;
     }
     const int first = request.before ? request.step - static_cast<int>(request.before->size()) : request.step;

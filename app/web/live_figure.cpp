@@ -4,6 +4,7 @@
 #include "app/narration/alt_text.h"
 #include "app/page/live_numbers.h"
 #include "app/page/page.h"
+#include "app/page/plot_words.h"
 #include "app/session/camera_moves.h"
 #include "app/session/command.h"
 #include "base/numbers.h"
@@ -472,7 +473,8 @@ const AccuracyReading& LiveFigure::accuracy() {
 std::string LiveFigure::alt_text_now() {
   const Scene& scene = model()->scene;
   std::string said = alt_text(*model(), speech_->words_of_scenes(session_->step(), scene), session_->t_s());
-  if (const std::string plots = speech_->words_of_plots(scene); !plots.empty())
+  const bool is_asked = !blocks_of<Ask>(session_->step()).empty();
+  if (const std::string plots = words_of_plots(*model(), session_->t_s(), *speech_, is_asked); !plots.empty())
     said += ' ' + speech_->opening(words::kPlotted) + plots;
   return said;
 }

@@ -4,6 +4,7 @@
 #include "app/narration/alt_text.h"
 #include "app/page/live_numbers.h"
 #include "app/page/page.h"
+#include "app/page/plot_words.h"
 #include "app/publish/html_text.h"
 #include "base/words/speech_words.h"
 #include "render/gl/passes/background.h"
@@ -61,7 +62,8 @@ Outcome<ReaderPicture> ReaderFigures::moment(const Stage& stage, int step, doubl
     made.dark = std::move(dark).value();
   }
   made.alt = alt_text(model, words_of_scenes(of), t_s);
-  if (const std::string plots = speech_.words_of_plots(*of.scene); !plots.empty())
+  const bool is_asked = !blocks_of<Ask>(of).empty();
+  if (const std::string plots = words_of_plots(model, t_s, speech_, is_asked); !plots.empty())
     made.alt += ' ' + speech_.opening(words::kPlotted) + plots;
   return made;
 }

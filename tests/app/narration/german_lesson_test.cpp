@@ -5,6 +5,7 @@
 #include "app/narration/speech_text.h"
 #include "app/narration/transcript.h"
 #include "app/narration/verdict_row.h"
+#include "app/page/plot_words.h"
 #include "lessons/reader/checks/lesson_check.h"
 #include "render/drawing/plots/meter_plots.h"
 #include "render/figure/make_figure.h"
@@ -133,6 +134,8 @@ TEST_F(GermanLesson, HasFiguresInGerman) {
       const double t_s = still_time_s(*step.scene);
       expect_german(alt_text(model, speech.words_of_scenes(step, *step.scene), t_s), stage.id);
       expect_german(speech.words_of_plots(*step.scene), stage.id);
+      expect_german(words_of_plots(model, t_s, speech, false), stage.id);
+      expect_german(moment_in_words(model, {}, 0.0, t_s, t_s), stage.id);
       for (const Pane& pane : make_figure(model, t_s, 1.5).panes) {
         expect_german(pane.title, stage.id);
         for (const Label& label : pane.list.labels) expect_german(label.text, stage.id);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What the plots of a figure show, in words, for readers who cannot see them.
+#pragma once
+
+#include "app/narration/speech_text.h"
+#include "render/drawing/plots/time_plot.h"
+#include "render/scene/model/model.h"
+
+#include <string>
+
+namespace polhode {
+
+/// How a curve of a plot goes: "rises from 1 to 2", "oscillates between minus 1 and 1, with 3 maxima", "stays
+/// at 2", computed from the values that are drawn. What is smaller than a twentieth of the curve's height is
+/// no turn; what is less than a thousandth of the plot's height is no change.
+std::string course_in_words(const TimePlot& plot, const TimeSeries& curve);
+
+/// Of all plots that stand beside the model's figure, at t_s: the title, what they are against, from where to
+/// where, and how each curve goes. `names` is what is said of a label. Where a question is asked of the
+/// figure, whose answer may lie in the curves, only their names. Empty: there are no plots.
+std::string words_of_plots(const SceneModel& model, double t_s, const SpeechText& names, bool is_asked);
+
+}  // namespace polhode
