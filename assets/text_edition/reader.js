@@ -82,7 +82,9 @@
       button.type = "button";
       button.className = "tex";
       button.textContent = "TeX";
-      button.setAttribute("aria-label", tag ? words.copyTexOf.replace("{0}", tag.textContent) : words.copyTex);
+      // Heard one after the other, buttons differ: an equation without a number is named by its words.
+      const name = tag ? tag.textContent : equation.querySelector("math").getAttribute("alttext");
+      button.setAttribute("aria-label", words.copyTexOf.replace("{0}", name));
       button.addEventListener("click", async () => {
         await navigator.clipboard.writeText(tex.textContent.trim());
         button.textContent = words.copied;
@@ -90,6 +92,12 @@
       });
       equation.append(button);
     }
+
+  const asRead = (element) => {
+    const copy = element.cloneNode(true);
+    for (const math of copy.querySelectorAll("math")) math.replaceWith(math.getAttribute("alttext"));
+    return copy.textContent.trim();
+  };
 
   // A figure that is live is enlarged otherwise, and pictures of moments stand as large as they were drawn.
   const figures = [...document.querySelectorAll("figure:not([data-stage])")].filter((figure) => !figure.closest(".moments")).map((figure) => {
@@ -104,14 +112,21 @@
     button.className = "larger";
     frame.after(button);
     const one = { figure, image, frame, button };
+    const step = figure.closest(".step"), stage = figure.closest("section");
+    const heading = (step && step.querySelector("h3")) || (stage && stage.querySelector("h2"));
+    const title = heading ? asRead(heading) : "";
+    const name = (text) => {
+      button.textContent = text;
+      if (title) button.setAttribute("aria-label", `${text}: ${title}`);
+    };
     const enlarge = (is_large, at) => {
       figure.classList.toggle("large", is_large);
-      button.textContent = is_large ? words.smaller : words.larger;
+      name(is_large ? words.smaller : words.larger);
       if (is_large) frame.scrollLeft = at * frame.scrollWidth - frame.clientWidth / 2;
       letScroll();
     };
     one.toggle = (at) => enlarge(!figure.classList.contains("large"), at);
-    button.textContent = words.larger;
+    name(words.larger);
     button.addEventListener("click", () => one.toggle(0.5));
     image.addEventListener("click", (event) => { if (!button.hidden) one.toggle(event.offsetX / image.clientWidth); });
     return one;

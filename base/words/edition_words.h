@@ -30,9 +30,8 @@ inline constexpr Phrase kADerivation{"A derivation", "Eine Herleitung"};
 inline constexpr Phrase kAnswer{"Answer", "Antwort"};
 inline constexpr Phrase kYourAnswer{"Your answer", "Antwort"};
 inline constexpr Phrase kYourAnswerIn{"Your answer, in {0}", "Antwort, in {0}"};
-inline constexpr Phrase kToWithinText{"to within {0}", "auf {0} genau"};
 inline constexpr Phrase kPlace{"place", "Platz"};
-inline constexpr Phrase kReplyTo{"To {0}:", "Zu {0}:"};
+inline constexpr Phrase kReplyTo{"On {0}:", "Zu {0}:"};
 inline constexpr Phrase kTyped{"{0}, typed {1}", "{0}, eingegeben {1}"};
 inline constexpr Phrase kForExampleTyped{"For example {0}", "Zum Beispiel {0}"};
 
@@ -48,7 +47,6 @@ inline constexpr auto kEditionScript = std::to_array<NamedPhrase>({
     {"aNumber", {"Type a number, such as 1.5 or 2e-3.", "Eine Zahl eingeben, etwa 1,5 oder 2e-3."}},
     {"aNumberIn",
      {"Type a number in {0}, such as 1.5 or 2e-3.", "Eine Zahl in {0} eingeben, etwa 1,5 oder 2e-3."}},
-    {"copyTex", {"Copy the TeX", "TeX kopieren"}},
     {"copyTexOf", {"Copy the TeX of equation {0}", "TeX der Gleichung {0} kopieren"}},
     {"copied", {"copied", "kopiert"}},
     {"wider", {"Wider than the page; scrolls", "Breiter als die Seite; lässt sich verschieben"}},

@@ -322,9 +322,12 @@ std::string LessonHtml::table(const TextTable& table) const {
     std::string html = "<tr>";
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const std::string_view place = kPlaces[static_cast<std::size_t>(table.columns[c])];
-      // An empty head names nothing.
-      const std::string_view name = is_head && !cells[c].empty() ? "th" : "td";
-      html += fmt::format("<{} class=\"{}\"{}>{}</{}>", name, place, name == "th" ? " scope=\"col\"" : "",
+      // An empty head names nothing. A row is named by its first cell.
+      const std::string_view name = (is_head || c == 0) && !cells[c].empty() ? "th" : "td";
+      html += fmt::format("<{} class=\"{}\"{}>{}</{}>", name, place,
+                          name == "td" ? ""
+                          : is_head    ? " scope=\"col\""
+                                       : " scope=\"row\"",
                           spans(cells[c]), name);
     }
     return html + "</tr>\n";

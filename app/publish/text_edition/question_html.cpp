@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/publish/text_edition/question_html.h"
 
+#include "app/narration/number_text.h"
 #include "base/words/edition_words.h"
 #include "base/words/page_words.h"
 #include "lessons/claims/expressions/expression_tex.h"
@@ -75,16 +76,15 @@ class QuestionHtml {
   }
 
   std::string controls() const {
-    if (has_number()) {
+    if (has_number()) {  // to within what stands behind the prompt
       const std::string& unit = ask_.number->unit;
       return fmt::format(
           "<p class=\"typed\"><label for=\"{0}.typed\">{1}</label> <input id=\"{0}.typed\" "
-          "type=\"text\" inputmode=\"decimal\" size=\"12\"/> <span class=\"quiet word\">{2}</span></p>\n",
+          "type=\"text\" inputmode=\"decimal\" size=\"12\"/></p>\n",
           id_,
-          unit.empty() ? said(words::kYourAnswer)
-                       : words::kYourAnswerIn.with(language(), {html_escaped(unit)}),
-          words::kToWithinText.with(language(),
-                                    {html_escaped(with_decimals(ask_.number->within_text, language()))}));
+          unit.empty()
+              ? said(words::kYourAnswer)
+              : words::kYourAnswerIn.with(language(), {html_escaped(unit_in_words(unit, language()))}));
     }
     if (!has_choices(ask_.type)) return {};
     std::string html = fmt::format("<div class=\"choices\" role=\"{}\" aria-labelledby=\"{}.prompt\">\n",
@@ -163,10 +163,23 @@ class QuestionHtml {
     for (const StateGoal& goal : ask_.task->goals)
       html += fmt::format("<li>{}: {}</li>\n", html_.line(goal.words()),
                           html_escaped(range_of(goal, language())));
-    return html + "</ul>\n<p>" +
-           words::kForExampleTyped.with(language(),
-                                        {"<code>" + html_escaped(text_of(ask_.task->solution)) + "</code>"}) +
-           "</p>\n";
+    return html + "</ul>\n<p>" + words::kForExampleTyped.with(language(), {solution()}) + "</p>\n";
+  }
+
+  /// As it is printed, ω = (4.8, 0, 12) rad/s; attitudes, torques and times as they are typed.
+  std::string solution() const {
+    const SteeredState& state = ask_.task->solution;
+    if (state.attitude || state.torque || state.t_s)
+      return "<code>" + html_escaped(text_of(state)) + "</code>";
+    const auto list = [](const Vec3& v) {
+      return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x(), v.y(), v.z());
+    };
+    std::string line;
+    if (state.w0_B) line = "$\\vec\\omega = " + list(*state.w0_B) + "$\u00A0rad/s";
+    if (state.moments)
+      line +=
+          (line.empty() ? "" : "; ") + ("$(I_1, I_2, I_3) = " + list(*state.moments)) + "$\u00A0kg\u00A0m²";
+    return html_.line(line);
   }
 
   const LessonHtml& html_;

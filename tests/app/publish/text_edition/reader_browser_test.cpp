@@ -75,6 +75,8 @@ TEST_F(ReaderInBrowser, EnlargesAFigureThatIsShownSmall) {
   EXPECT_LE(small, 360);
   value_of(figure + ".querySelector('button.larger').focus()");
   EXPECT_EQ(value_of("document.activeElement.textContent"), "Larger");
+  EXPECT_EQ(value_of("document.activeElement.getAttribute('aria-label')"), "Larger: The first step")
+      << "heard beside other buttons";
   browser_->press("Enter");
   EXPECT_GE(shown(), 600);
   EXPECT_TRUE(fits()) << "the figure alone scrolls";

@@ -268,7 +268,8 @@ TEST(Reader, ListsAndTablesAreThat) {
   EXPECT_EQ(all_named(*inside[0], "li").at(1)->attribute("value"), "2");
   const XmlNode& table = *all_named(step, "table").at(0);
   EXPECT_EQ(all_named(table, "th").at(1)->attribute("scope"), "col");
-  EXPECT_TRUE(all_named(table, "td").at(1)->has_class("right"));
+  EXPECT_EQ(all_named(table, "th").at(2)->attribute("scope"), "row") << "a row is named by its first cell";
+  EXPECT_TRUE(all_named(table, "td").at(0)->has_class("right"));
 }
 
 TEST(Reader, LinksLeadToPlacesOfThePageOrToTheWeb) {
@@ -302,6 +303,18 @@ TEST(Reader, AQuestionComesBehindItsFigureWhichDoesNotAnswerIt) {
   EXPECT_THAT(parts, ElementsAre("figure", "div"));
   EXPECT_THAT(all_named(step, "img").at(0)->attribute("alt"),
               testing::AllOf(HasSubstr("the angular velocity ω"), Not(HasSubstr("turns at"))));
+}
+
+// 28 November 2026: an answer was "omega = [0.0, 3.0, 4.0]", as in a lesson's file, in German with points.
+TEST(Reader, AStateThatAnswersIsPrintedAsOnPages) {
+  const Edition page(
+      std::string(kEditionLesson) +
+      "\n# Steer {steer}\n```ask aim\ntype = \"state\"\nprompt = \"Make it turn.\"\ngoals = [{ of = "
+      "\"norm(omega)\", say = \"length of ω\", is = 5, within = 1, unit = \"rad/s\" }]\nchange = "
+      "[\"omega\"]\nsolution = { omega = [0, 3, 4.5] }\n```\n```scene\nomega = [0, 1, 0]\n```\n");
+  EXPECT_THAT(
+      words_of(*with_id(page.root, "steer/ask.aim")),
+      HasSubstr("For example vector omega equals open parenthesis 0, 3, 4.5 close parenthesis rad/s"));
 }
 
 TEST(Reader, MomentsSayWhatHasChanged) {
