@@ -5,7 +5,9 @@
 #include "base/ascii.h"
 #include "base/numbers.h"
 #include "base/utf8.h"
+#include "base/words/answer_words.h"
 #include "lessons/claims/answers/answers.h"
+#include "lessons/claims/answers/told_in_language.h"
 #include "lessons/claims/answers/typed_unit.h"
 
 #include <algorithm>
@@ -174,26 +176,34 @@ struct Reading {
   Unreadable why;
 };
 
-Reading refuse(std::string reason, std::string hint = {}, int column = 0) {
-  return {std::nullopt,
-          judged(AnswerJudgement::Mark::unreadable, std::move(reason), std::move(hint), column)};
+/// In another language than the readers' errors say them in.
+std::string unit_names(Language language) {
+  const std::string_view english = words::kWithPowers.in(Language::en);
+  const std::size_t names = kUnitNames.find(english);
+  if (names == kUnitNames.npos) return std::string(kUnitNames);
+  return std::string(kUnitNames.substr(0, names)) + std::string(words::kWithPowers.in(language));
 }
 
-Reading read_typed(std::string_view whole) {
+Reading read_typed(std::string_view whole, Language language) {
   std::string_view text = without_blanks(whole);
+  const auto in_words = [language](const Phrase& phrase) { return std::string(phrase.in(language)); };
+  const auto refuse = [](std::string reason, std::string hint = {}, int column = 0) -> Reading {
+    return {std::nullopt,
+            judged(AnswerJudgement::Mark::unreadable, std::move(reason), std::move(hint), column)};
+  };
   const auto column = [&] {
     return 1 + count_characters(whole.substr(0, static_cast<std::size_t>(text.data() - whole.data())));
   };
-  if (text.empty()) return refuse("a number is asked for", "such as 4.2 or 1.2e3");
-  if (text.size() > kMostBytes) return refuse("this is too long for a number");
+  if (text.empty()) return refuse(in_words(words::kNumberIsAsked), in_words(words::kNumberForm));
+  if (text.size() > kMostBytes) return refuse(in_words(words::kTooLong));
   while (take(text, {"≈", "≃", "~", "=", " "})) {
   }
   if (const std::size_t equals = std::min(text.find('='), text.find("≈")); equals != text.npos)
-    return refuse("the number alone is asked for", "type what stands behind the =", column());
+    return refuse(in_words(words::kNumberAlone), in_words(words::kBehindEquals), column());
   const std::string digits = take_decimal(text);
   if (!text.empty() && text.front() == ',')
-    return refuse("a comma is not read in numbers", "write 1.5 for 1,5 and 1000 for 1,000", column());
-  if (digits.empty()) return refuse("this is no number", "write one such as 4.2, -0.3 or 1.2e3", column());
+    return refuse(in_words(words::kNoComma), in_words(words::kInsteadOfComma), column());
+  if (digits.empty()) return refuse(in_words(words::kNoNumber), in_words(words::kWriteANumber), column());
   const std::optional<int> exponent = take_exponent(text);
   const int power = take_power(text).value_or(0);
   const std::size_t point = digits.find('.');
@@ -201,25 +211,24 @@ Reading read_typed(std::string_view whole) {
   TypedNumber number;
   const auto value = parse_number(digits + 'e' + std::to_string(power));
   if (!value || !std::isfinite(*value))
-    return power > 0 ? refuse("this number is too large") : refuse("this number is too small to be read");
+    return refuse(in_words(power > 0 ? words::kNumberTooLarge : words::kNumberTooSmall));
   number.value = *value;
   number.last_digit = std::pow(10.0, power - decimals);
   if (exponent) {
     const double base = parse_number(digits).value_or(0);
     number.value = std::pow(base, *exponent) * std::pow(10.0, power);
     number.last_digit = 0;  // it is exact
-    if (!std::isfinite(number.value)) return refuse("this number is too large");
-    if (number.value == 0 && base != 0) return refuse("this number is too small to be read");
+    if (!std::isfinite(number.value)) return refuse(in_words(words::kNumberTooLarge));
+    if (number.value == 0 && base != 0) return refuse(in_words(words::kNumberTooSmall));
   }
   text = without_blanks(text);
   if (text.ends_with('.')) text = without_blanks(text.substr(0, text.size() - 1));  // it ends a sentence
   if (!text.empty() && !typed_unit(text)) {
     const bool computes =
         is_digit(text.front()) || std::string_view("+-*/^=().").find(text.front()) != std::string_view::npos;
-    if (computes)
-      return refuse("one number is asked for, and nothing is computed here", "type the result", column());
-    return refuse("unknown unit \"" + std::string(text) + '"',
-                  "units are " + std::string(kUnitNames) + "; rpm, rev, min, h, %", column());
+    if (computes) return refuse(in_words(words::kOneNumber), in_words(words::kTypeTheResult), column());
+    return refuse(words::kUnknownUnit.with(language, {text}),
+                  words::kUnitsAre.with(language, {unit_names(language)}), column());
   }
   number.unit = text;
   return {number, {}};
@@ -227,9 +236,10 @@ Reading read_typed(std::string_view whole) {
 
 class NumberJudge {
  public:
-  NumberJudge(const NumberAnswer& answer, const TypedNumber& typed)
+  NumberJudge(const NumberAnswer& answer, const TypedNumber& typed, Language language)
       : answer_(answer),
         typed_(typed),
+        language_(language),
         asked_(unit_asked(answer.unit)),
         right_(*answer.value),
         within_(tolerance_of(answer)) {}
@@ -252,15 +262,14 @@ class NumberJudge {
   std::string why_not(const TypedUnit& unit) const {
     const bool is_alone = answer_.unit.empty() || answer_.unit == "1";
     const std::string in =
-        is_alone ? "a number without a unit is asked for" : "an answer in " + answer_.unit + " is asked for";
-    std::string of_another_kind = "the unit is of another kind: " + in + ", and this is in " + typed_.unit;
+        is_alone ? said(words::kAskedWithoutUnit) : words::kAskedInUnit.with(language_, {answer_.unit});
+    std::string of_another_kind = words::kOtherKindOfUnit.with(language_, {in, typed_.unit});
     if (unit.scaled.dimension != asked_.scaled.dimension) return of_another_kind;
     if (unit.is_percent && !is_alone) return of_another_kind;
-    if (unit.cycles == 1 && asked_.angles == 1)
-      return typed_.unit + " counts turns, and " + in + ": 1 Hz is 2π rad/s";
+    if (unit.cycles == 1 && asked_.angles == 1) return words::kCountsTurns.with(language_, {typed_.unit, in});
     const bool counts_turns_too = typed_.unit.starts_with("rpm") || typed_.unit.starts_with("rev");
     if (unit.angles == 1 && asked_.cycles == 1)
-      return counts_turns_too ? "" : typed_.unit + " counts angles, and " + in + ": 1 Hz is 2π rad/s";
+      return counts_turns_too ? "" : words::kCountsAngles.with(language_, {typed_.unit, in});
     // An angle may be left out, as in 1/s for rad/s. Where none is asked for none belongs, but in a rate.
     const bool is_of_rate = asked_.scaled.dimension == kRate && unit.angles == 1;
     if (unit.angles != asked_.angles && unit.angles != 0 && !is_of_rate) return of_another_kind;
@@ -282,35 +291,35 @@ class NumberJudge {
   }
 
   Slip slip(double value, double last_digit) const {
-    if (is_right(-value)) return {"signs", "wrong sign: the size is right"};
+    if (is_right(-value)) return {"signs", said(words::kWrongSign)};
     if (value != 0 && std::abs(value - right_) <= 0.5 * last_digit)
-      return {"rounding", "rounded too coarsely: it has to be right to " + answer_.within_text};
+      return {"rounding", words::kTooCoarse.with(language_, {with_decimals(answer_.within_text, language_)})};
     if (is_angular()) {
       if (!is_in_degrees() && is_right_times(value, 1 / kRadiansPerDegree))
-        return {"degrees", "these are degrees, and radians are asked for: 180° is π"};
+        return {"degrees", said(words::kAreDegrees)};
       if (is_in_degrees() && is_right_times(value, kRadiansPerDegree))
-        return {"degrees", "these are radians, and degrees are asked for: π is 180°"};
+        return {"degrees", said(words::kAreRadians)};
     }
     if (has_cycles()) {
-      if (is_right_times(value, kRadiansPerTurn))
-        return {"turns", "too large by 2π: radians are counted here as turns, or ω is 2πf"};
-      if (is_right_times(value, 1 / kRadiansPerTurn))
-        return {"turns", "too small by 2π: turns are counted here as radians, or ω is 2πf"};
+      if (is_right_times(value, kRadiansPerTurn)) return {"turns", said(words::kTurnsTooLarge)};
+      if (is_right_times(value, 1 / kRadiansPerTurn)) return {"turns", said(words::kTurnsTooSmall)};
     }
     for (int power = 1; power <= 12; ++power) {
       const double factor = std::pow(10.0, power);
       if (is_right_times(value, factor))
-        return {"power-of-ten", "too large by a factor of " + power_of_ten(power)};
+        return {"power-of-ten", words::kTooLargeByFactor.with(language_, {power_of_ten(power)})};
       if (is_right_times(value, 1 / factor))
-        return {"power-of-ten", "too small by a factor of " + power_of_ten(power)};
+        return {"power-of-ten", words::kTooSmallByFactor.with(language_, {power_of_ten(power)})};
     }
-    if (is_right_times(value, 2)) return {"factor", "twice what is right: a factor 1/2 is missing"};
-    if (is_right_times(value, 0.5)) return {"factor", "half of what is right: a factor 2 is missing"};
-    if (value == 0) return {"other", "it is not 0"};
-    return {"other", value * right_ < 0                   ? "neither the sign nor the size is right"
-                     : std::abs(value) > std::abs(right_) ? "too large"
-                                                          : "too small"};
+    if (is_right_times(value, 2)) return {"factor", said(words::kTwice)};
+    if (is_right_times(value, 0.5)) return {"factor", said(words::kHalf)};
+    if (value == 0) return {"other", said(words::kIsNotZero)};
+    return {"other", said(value * right_ < 0                   ? words::kNeitherSignNorSize
+                          : std::abs(value) > std::abs(right_) ? words::kNumberIsTooLarge
+                                                               : words::kNumberIsTooSmall)};
   }
+
+  std::string said(const Phrase& phrase) const { return std::string(phrase.in(language_)); }
 
   static std::string power_of_ten(int power) {
     return power <= 3 ? '1' + std::string(static_cast<std::size_t>(power), '0')
@@ -319,6 +328,7 @@ class NumberJudge {
 
   const NumberAnswer& answer_;
   const TypedNumber& typed_;
+  Language language_;
   TypedUnit asked_;
   double right_, within_;
 };
@@ -356,12 +366,16 @@ std::string with_point(std::string_view text, Language language) {
 
 }  // namespace
 
-AnswerJudgement judge_number(const NumberAnswer& answer, std::string_view text) {
-  const Reading reading = read_typed(with_point(text, answer.language));
+AnswerJudgement judge_number_in(Language language, const NumberAnswer& answer, std::string_view text) {
+  const Reading reading = read_typed(with_point(text, answer.language), language);
   if (!reading.number) return reading.why;
   if (!answer.value)
-    return judged(AnswerJudgement::Mark::unreadable, "this number has no value on the motion shown");
-  return NumberJudge(answer, *reading.number).judge();
+    return judged(AnswerJudgement::Mark::unreadable, std::string(words::kHasNoNumber.in(language)));
+  return NumberJudge(answer, *reading.number, language).judge();
+}
+
+AnswerJudgement judge_number(const NumberAnswer& answer, std::string_view text) {
+  return judge_number_in(Language::en, answer, text);
 }
 
 }  // namespace polhode

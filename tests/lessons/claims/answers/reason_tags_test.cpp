@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/answers/reason_tags.h"
 
+#include "lessons/claims/answers/told_in_language.h"
 #include "lessons/derivation/derivation.h"
 
 #include <gtest/gtest.h>
@@ -22,6 +23,7 @@ TEST(ReasonTag, OfEverySlipHasWords) {
     const std::string tag(name_of(static_cast<Slip>(i)));
     EXPECT_TRUE(is_reason_tag(tag)) << i;
     EXPECT_NE(words_of_reason(tag), tag) << "it has no words";
+    EXPECT_NE(words_of_reason_in(Language::de, tag), words_of_reason(tag)) << tag;
   }
 }
 
