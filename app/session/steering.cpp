@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/steering.h"
 
+#include "base/words/answer_words.h"
 #include "render/scene/model/scene_problem.h"
 
 #include <cmath>
@@ -24,6 +25,13 @@ SteeredState difference(const Scene& lesson, const Scene& now) {
   return state;
 }
 
+std::string words_in(Language language, const SteeredParts& parts) {
+  std::string words;
+  for (std::size_t i = 0; i < kSteered.size(); ++i)
+    if (parts.contains(static_cast<Steered>(i))) add(words, kSteered[i].words.in(language));
+  return words;
+}
+
 bool has_same_method(const MotionSpec& a, const MotionSpec& b) {
   return a.method == b.method && a.step_s == b.step_s && a.tolerance == b.tolerance;
 }
@@ -44,11 +52,12 @@ Steering steering_of(const LessonSession& session, const StateTask& task) {
   keep(Steered::moments, steering.state.moments);
   keep(Steered::attitude, steering.state.attitude);
   keep(Steered::torque, steering.state.torque);
-  steering.elsewhere = words_of(others);
+  const Language language = session.lesson().about.language;
+  steering.elsewhere = words_in(language, others);
   const bool has_other_torque =
       now.torque != lesson.torque && with_constant(lesson.torque, constant_torque(now.torque)) != now.torque;
-  if (has_other_torque) add(steering.elsewhere, facts_of(Steered::torque).words.in(Language::en));
-  if (!has_same_method(now.motion, lesson.motion)) add(steering.elsewhere, "the method");
+  if (has_other_torque) add(steering.elsewhere, facts_of(Steered::torque).words.in(language));
+  if (!has_same_method(now.motion, lesson.motion)) add(steering.elsewhere, words::kTheMethod.in(language));
   steering.t_s = judged_time_s(task, session.t_s());
   if (task.change.contains(Steered::t)) steering.state.t_s = session.t_s();
   steering.goals = read_goals(task, *session.model(), steering.t_s, session.effort());

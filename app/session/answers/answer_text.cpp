@@ -3,8 +3,13 @@
 
 #include "app/session/steering.h"
 #include "base/angles.h"
+#include "base/ascii.h"
+#include "base/words/answer_words.h"
+#include "base/words/edition_words.h"
+#include "base/words/page_words.h"
+#include "lessons/claims/answers/reason_tags.h"
+#include "lessons/claims/answers/told_in_language.h"
 #include "lessons/claims/expressions/expression_tex.h"
-#include "lessons/reader/questions/state_task.h"
 #include "render/scene/model/scene_problem.h"
 
 #include <fmt/format.h>
@@ -49,27 +54,40 @@ std::string short_tex(double value) {
 }
 
 /// What is noise of a conversion beside the others is none of the number.
-std::string components_tex(const Vec3& v) {
+std::string components_tex(const Vec3& v, Language language) {
+  const char* const between = decimal_mark(language) == ',' ? ";\\ " : ",\\ ";
   const double noise = 1e-12 * v.cwiseAbs().maxCoeff();
   std::string tex;
-  for (const double x : v) tex += (tex.empty() ? "" : ",\\ ") + short_tex(std::abs(x) <= noise ? 0 : x);
+  for (const double x : v) tex += (tex.empty() ? "" : between) + short_tex(std::abs(x) <= noise ? 0 : x);
   return '(' + tex + ')';
 }
 
-std::string vector_line(std::string_view name, const Vec3& v, const std::string& unit) {
-  return fmt::format("${} = {}{}$", name, components_tex(v), unit_tex(unit));
+std::string vector_line(std::string_view name, const Vec3& v, const std::string& unit, Language language) {
+  return fmt::format("${} = {}{}$", name, components_tex(v, language), unit_tex(unit));
 }
 
-std::string attitude_line(const AttitudeSpec& attitude) {
-  if (const auto* points = std::get_if<LPoints>(&attitude))
-    return *points == LPoints::up ? "$\\vec L$ upright" : "$\\vec L$ hanging down";
+std::string attitude_line(const AttitudeSpec& attitude, Language language) {
+  if (const auto* points = std::get_if<LPoints>(&attitude)) {
+    const Phrase& how = *points == LPoints::up ? words::kLUpright : words::kLHanging;
+    return "$\\vec L$ " + std::string(how.in(language));
+  }
   const Vec3 degrees = euler_angles(std::get<Quat>(attitude)) / kRadiansPerDegree;
-  return vector_line("(\\varphi,\\ \\theta,\\ \\psi)", degrees, "°");
+  return vector_line("(\\varphi,\\ \\theta,\\ \\psi)", degrees, "°", language);
 }
 
-std::string torque_line(const TorqueTerm& torque) {
+std::string torque_line(const TorqueTerm& torque, Language language) {
   const bool in_space = std::holds_alternative<SpaceTorque>(torque);
-  return vector_line("\\vec N", components_of(torque), "N m") + (in_space ? " along the axes of space" : "");
+  return vector_line("\\vec N", components_of(torque), "N m", language) +
+         (in_space ? std::string(words::kAlongAxesOfSpace.in(language)) : "");
+}
+
+/// In another language than that of the judgement; empty where there is nothing to say.
+std::string reason_in(Language language, const Ask& ask, std::string_view text,
+                      const AnswerJudgement& judgement) {
+  if (ask.number) return judge_number_in(language, *ask.number, text).reason;
+  const bool is_known = judgement.mark == AnswerJudgement::Mark::wrong && !judgement.tag.empty() &&
+                        judgement.tag != kOtherReason;
+  return is_known && !ask.task ? words_of_reason_in(language, judgement.tag) : "";
 }
 
 }  // namespace
@@ -126,12 +144,14 @@ RichText answer_text(const Lesson& lesson, const Ask& ask) {
     text = formula_text(tex_of(*ask.expression, &lesson.notation.vocabulary));
     TextSpan typed = words_span(ask.expression->text);
     typed.code = true;
-    for (TextSpan& span : std::vector<TextSpan>{words_span(", typed "), typed, words_span(".")})
+    // ", typed "
+    const std::string how = words::kTyped.with(lesson.about.language, {"", ""});
+    for (TextSpan& span : std::vector<TextSpan>{words_span(how), typed, words_span(".")})
       text.front().spans.push_back(std::move(span));
   } else if (ask.task) {
-    text = line_text(line_of(ask.task->solution) + '.');
+    text = line_text(line_of(ask.task->solution, lesson.about.language) + '.');
   } else if (ask.number) {
-    text = words_text(words_of(*ask.number) + '.');
+    text = words_text(with_decimals(words_of(*ask.number), lesson.about.language) + '.');
   } else {
     std::string letters;
     for (const int answer : ask.answers)
@@ -145,15 +165,51 @@ RichText answer_text(const Lesson& lesson, const Ask& ask) {
   return joined(std::move(text), ask.because);
 }
 
-std::string line_of(const SteeredState& state) {
+ToldVerdict told_verdict(const Ask& ask, std::string_view text, const AnswerJudgement& judgement,
+                         Language language) {
+  using Mark = AnswerJudgement::Mark;
+  if (judgement.mark == Mark::right) return {std::string(words::kRight.in(language)), ""};
+  if (judgement.choice > 0) {
+    const char letter = letter_of_choice(static_cast<std::size_t>(judgement.choice) - 1);
+    return {words::kChoiceIsNotRight.with(language, {std::string(1, letter)}), ""};
+  }
+  const bool is_english = language == Language::en, is_wrong = judgement.mark == Mark::wrong;
+  const std::string reason = is_english ? judgement.reason : reason_in(language, ask, text, judgement);
+  // What an expression lacks to be read is known in English alone, and is a sentence of its own then.
+  std::string hint = is_english   ? judgement.hint
+                     : ask.number ? judge_number_in(language, *ask.number, text).hint
+                     : is_wrong || ask.task || judgement.reason.empty() ? ""
+                                                                        : capitalized(judgement.reason) + '.';
+  const Phrase& alone = is_wrong ? words::kNotRight : words::kCannotBeRead;
+  const Phrase& with_reason = is_wrong ? words::kNotRightFor : words::kCannotBeReadFor;
+  return {reason.empty() ? std::string(alone.in(language)) : with_reason.with(language, {reason}),
+          std::move(hint)};
+}
+
+RichText given_text(const StateTask& task, Language language) {
+  const Scene& lesson = *task.scene;
+  SteeredState state;
+  if (!task.change.contains(Steered::omega)) state.w0_B = lesson.w0_B;
+  if (!task.change.contains(Steered::moments)) state.moments = lesson.body.moments.vector();
+  if (!task.change.contains(Steered::torque) && !lesson.torque.empty()) {
+    const TorqueTerm constant = constant_torque(lesson.torque);
+    if (!components_of(constant).isZero(0)) state.torque = constant;
+  }
+  const std::string line = line_of(state, language);
+  if (line.empty()) return {};
+  const Phrase& opening = state.w0_B ? words::kGivenAtStart : words::kGivenOpening;
+  return line_text(std::string(opening.in(language)) + line + '.');
+}
+
+std::string line_of(const SteeredState& state, Language language) {
   std::string line;
   const auto add = [&](const std::string& part) { line += (line.empty() ? "" : "; ") + part; };
-  if (state.w0_B) add(vector_line("\\vec\\omega", *state.w0_B, "rad/s"));
-  if (state.moments) add(vector_line("(I_1,\\ I_2,\\ I_3)", *state.moments, "kg m²"));
-  if (state.attitude) add(attitude_line(*state.attitude));
-  if (state.torque) add(torque_line(*state.torque));
+  if (state.w0_B) add(vector_line("\\vec\\omega", *state.w0_B, "rad/s", language));
+  if (state.moments) add(vector_line("(I_1,\\ I_2,\\ I_3)", *state.moments, "kg m²", language));
+  if (state.attitude) add(attitude_line(*state.attitude, language));
+  if (state.torque) add(torque_line(*state.torque, language));
   if (state.t_s) add(fmt::format("$t = {}{}$", short_tex(*state.t_s), unit_tex("s")));
-  return line;
+  return with_decimals(std::move(line), language);
 }
 
 }  // namespace polhode

@@ -4,7 +4,7 @@
 
 #include "lessons/claims/answers/answers.h"
 #include "lessons/reader/lesson.h"
-#include "lessons/reader/questions/steered_state.h"
+#include "lessons/reader/questions/state_task.h"
 
 #include <string>
 #include <string_view>
@@ -31,8 +31,21 @@ RichText text_after(const Ask& ask, const AnswerJudgement& judgement);
 /// typed, a state in numbers with their units.
 RichText answer_text(const Lesson& lesson, const Ask& ask);
 
+/// What is said of an answer in the language of the lesson, whose reason the judgement has in English.
+struct ToldVerdict {
+  std::string verdict;  ///< "Not right: too large.", "A is not right.", "Right."
+  std::string hint;     ///< how it is written, or why it cannot be read; may be empty
+};
+/// @param text as it was typed
+ToldVerdict told_verdict(const Ask& ask, std::string_view text, const AnswerJudgement& judgement,
+                         Language language);
+
+/// What is given of the motion that a question is about: all that the reader does not change, as the lesson
+/// has it. Empty of nothing.
+RichText given_text(const StateTask& task, Language language);
+
 /// "\vec\omega = (1.5,\, 0,\, 0.45)\,\mathrm{rad/s}" and the like, of each part that the state has, four
 /// digits each: a line with formulas between dollars, parted by semicolons. Empty of nothing.
-std::string line_of(const SteeredState& state);
+std::string line_of(const SteeredState& state, Language language = Language::en);
 
 }  // namespace polhode

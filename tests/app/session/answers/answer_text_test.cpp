@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/answers/answer_text.h"
 
+#include "app/session/lesson_session.h"
 #include "tests/app/session/example_lesson.h"
 
 #include <gtest/gtest.h>
@@ -76,6 +77,55 @@ TEST(AnswerText, WhatIsSaidOfAPickIsItsReplyAndWhyItIsRight) {
     judgement.choice = static_cast<int>(i) + 1;
     EXPECT_EQ(written(text_after(ask, judgement)), written(is_right ? ask.because : ask.replies[i]));
   }
+}
+
+// 2026-11-28: "Nicht richtig: too large."
+TEST(AnswerText, AVerdictIsInOneLanguage) {
+  const Lesson& lesson = test::loaded_lesson("intermediate-axis.de")->lesson;
+  const Ask& number = asked(lesson, "grown-error");
+  ASSERT_TRUE(number.number);
+  const auto told = [&](std::string_view text) {
+    return told_verdict(number, text, judge_answer(number, text, Prover()), Language::de);
+  };
+  EXPECT_EQ(told("1000 s").verdict, "Nicht richtig: zu groß.");
+  EXPECT_EQ(
+      told("3 kg").verdict,
+      "Nicht richtig: die Einheit ist von anderer Art: gefragt ist eine Antwort in s, und dies ist in kg.");
+  EXPECT_EQ(told("viel").verdict, "Nicht lesbar: das ist keine Zahl.");
+  EXPECT_EQ(told("viel").hint, "etwa 4,2 oder -0,3 oder 1,2e3 schreiben");
+  EXPECT_EQ(told_verdict(number, "1000 s", judge_answer(number, "1000 s", Prover()), Language::en).verdict,
+            "Not right: too large.");
+  const Ask& expression = asked(lesson, "middle-sign");
+  AnswerJudgement judged;
+  judged.reason = "wrong sign: every sign is the other way round";
+  judged.tag = "signs";
+  EXPECT_EQ(told_verdict(expression, "x", judged, Language::de).verdict,
+            "Nicht richtig: alle Vorzeichen sind umgekehrt.");
+  judged.tag = "other";
+  EXPECT_EQ(told_verdict(expression, "x", judged, Language::de).verdict, "Nicht richtig.");
+}
+
+TEST(AnswerText, AnswersAreInTheLanguageOfTheLesson) {
+  const Lesson& lesson = test::loaded_lesson("intermediate-axis.de")->lesson;
+  EXPECT_NE(written(answer_text(lesson, asked(lesson, "middle-sign"))).find(", eingegeben `"),
+            std::string::npos);
+  EXPECT_NE(written(answer_text(lesson, asked(lesson, "grown-error"))).find(','), std::string::npos);
+  EXPECT_EQ(line_of({.w0_B = Vec3(1.5, 0, -0.25)}, Language::de),
+            "$\\vec\\omega = (1{,}5;\\ 0;\\ -0{,}25)\\,\\text{rad/s}$");
+  EXPECT_EQ(line_of({.attitude = LPoints::up}, Language::de), "$\\vec L$ aufrecht");
+}
+
+// 2026-11-28: "Given, at t = 0" had the ω that the reader had dragged.
+TEST(AnswerText, WhatIsGivenIsTheLessons) {
+  LessonSession session(
+      test::loaded_text("+++\nformat = 1\nid = \"given\"\ntitle = \"Given\"\n+++\n# When {when}\nText.\n\n"
+                        "```scene\nomega = [0.3, 3, 0]\nshow = [\"omega\"]\n```\n"
+                        "```ask b\ntype = \"state\"\nprompt = \"When?\"\n"
+                        "goals = [{ of = \"w2\", at_most = 0, unit = \"rad/s\" }]\nchange = [\"t\"]\n"
+                        "solution = { t = 3 }\n```\n"));
+  ASSERT_TRUE(session.set_edits({.w0_B = Vec3(1, 2, 3)}));
+  const std::string given = written(given_text(*session.questions().front()->task, Language::en));
+  EXPECT_EQ(given.find("Given, at $t = 0$: $\\vec\\omega = (0.3,\\ 3,\\ 0)"), 0u) << given;
 }
 
 }  // namespace
