@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A counterexample as the scene of a session: its body takes the place of the lesson's, until it is left.
 #include "app/session/lesson_session.h"
+#include "render/figure/omega_tip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +21,14 @@ Torque torque_of(const CounterBody& body) {
 }
 
 /// So that what is said of the body is seen, whatever the lesson's figure shows of its own: how it lies, its
-/// axes, ω, and the torque.
+/// axes, ω, and the torque. A vector that an arrow of the lesson's draws has no second one on it.
 void show_what_is_said(SceneEdits& edits, const Scene& lesson_scene) {
   const bool has_surface =
       lesson_scene.show.contains(Overlay::energy_ellipsoid) && !edits.off.contains(Overlay::energy_ellipsoid);
   for (const Overlay overlay :
        {Overlay::shape, Overlay::omega, Overlay::N, Overlay::axes_body, Overlay::labels})
-    if (overlay != Overlay::shape || !has_surface) set_shown(edits, lesson_scene, overlay, true);
+    if ((overlay != Overlay::shape || !has_surface) && !has_arrow_along(lesson_scene, overlay))
+      set_shown(edits, lesson_scene, overlay, true);
 }
 
 }  // namespace

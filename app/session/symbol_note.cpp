@@ -144,6 +144,16 @@ std::string readable(double value, int digits) {
   return std::isfinite(value) ? text_of(std::span(&value, 1), digits) : "";
 }
 
+std::string readable(const Vec3& components, int digits) {
+  return components.allFinite() ? text_of({components.data(), 3}, digits) : "";
+}
+
+std::string with_minus(std::string number) {
+  std::string text;
+  for (const char c : number) text += c == '-' ? std::string("−") : std::string(1, c);
+  return text;
+}
+
 SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneModel* model, double t_s,
                    const std::string& stage_id, std::size_t step) {
   SymbolNote note;

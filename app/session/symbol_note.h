@@ -31,5 +31,9 @@ SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneMod
 
 /// A number for people, of so many digits, at least one: "−12.0", "1.03·10³⁸", "0". Empty where it is none.
 std::string readable(double value, int digits = 3);
+/// Of a vector's components, so many digits of the largest: "(0.90, −0.31, 0.02)".
+std::string readable(const Vec3& components, int digits = 3);
+/// A number that a format has made, its hyphens as minus signs.
+std::string with_minus(std::string number);
 
 }  // namespace polhode

@@ -6,6 +6,7 @@
 #include "render/figure/camera.h"
 #include "render/scene/model/model.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct DrawnOmega {
 /// Whether an arrow of the lesson's is this vector from the centre, at the scale that its overlay has.
 inline bool is_as_overlay(const ArrowMark& arrow, Overlay vector) {
   return arrow.of.overlay == vector && !arrow.at && !arrow.length && !arrow.like;
+}
+/// Whether an arrow of the lesson's is this vector from the centre, whatever its length: its overlay would be
+/// a second one on the same line.
+inline bool has_arrow_along(const Scene& scene, Overlay vector) {
+  return std::any_of(scene.marks.arrows.begin(), scene.marks.arrows.end(),
+                     [vector](const ArrowMark& arrow) { return arrow.of.overlay == vector && !arrow.at; });
 }
 /// Whether an arrow of the lesson's is this vector as its overlay draws it.
 bool draws_by_arrow(const SceneModel& model, Overlay vector);

@@ -26,19 +26,26 @@ const Equation* last_equation(const Step& step) {
   return equations.empty() ? nullptr : equations.back();
 }
 
-/// Where the step asks for one, as far as the reader has come, line by line.
-std::optional<Equation> derivation_of(const LessonSession& session) {
-  const Lesson& lesson = session.lesson();
+const Ask* asked_derivation(const LessonSession& session) {
   const std::vector<const Ask*> asked = session.questions();
   const auto derives =
       std::find_if(asked.begin(), asked.end(), [](const Ask* ask) { return ask->derivation != nullptr; });
-  if (derives == asked.end()) return std::nullopt;
-  std::string lines = "&" + (*derives)->derivation->start.tex;
+  return derives == asked.end() ? nullptr : *derives;
+}
+
+/// Where the step asks for one, as far as the reader has come, line by line. The line that it begins with is
+/// the lesson's, and no derivation alone.
+std::optional<Equation> derivation_of(const LessonSession& session) {
+  const Lesson& lesson = session.lesson();
+  const Ask* derives = asked_derivation(session);
+  if (derives == nullptr) return std::nullopt;
+  std::string lines;
   for (const ShownDerivedLine& line : session.shown_derivation().lines)
     if (line.certainty == Certainty::proved) lines += "\\\\ &" + line.tex;
+  if (lines.empty()) return std::nullopt;
   Equation derivation;
-  derivation.id = (*derives)->id;
-  derivation.tex = "\\begin{aligned} " + lines + " \\end{aligned}";
+  derivation.id = derives->id;
+  derivation.tex = "\\begin{aligned} &" + derives->derivation->start.tex + lines + " \\end{aligned}";
   auto math = parse_math(derivation.tex, lesson.macros, lesson.about.language);
   if (!math) return std::nullopt;
   derivation.math = std::move(math).value();
@@ -137,6 +144,10 @@ bool can_save_as(const LessonSession& session, SaveAs what) {
   return session.model() != nullptr;
 }
 
+bool saves_derivation(const LessonSession& session) {
+  return last_equation(session.step()) == nullptr && asked_derivation(session) != nullptr;
+}
+
 fs::path slides_path(const LessonSession& session, const fs::path& folder, const std::string& ending) {
   return free_name(folder, session.lesson().id + "-slides", ending);
 }
@@ -144,7 +155,8 @@ fs::path slides_path(const LessonSession& session, const fs::path& folder, const
 Result<fs::path> save_as(const LessonSession& session, SaveAs what, const SaveOptions& options,
                          const fs::path& folder, Renderer& renderer) {
   if (!can_save_as(session, what))
-    return failure(what == SaveAs::equation  ? "this step has no equation"
+    return failure(what == SaveAs::equation  ? (saves_derivation(session) ? "this derivation has no line yet"
+                                                                          : "this step has no equation")
                    : what == SaveAs::answers ? "this lesson has no questions"
                                              : "this step has no figure");
   if (const Status made = make_folder(folder); !made) return failure(made.error());

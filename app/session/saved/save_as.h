@@ -22,13 +22,15 @@ struct SaveOptions {
 
 /// Whether there is something of the kind on this step.
 bool can_save_as(const LessonSession& session, SaveAs what);
+/// Whether the equation of this step is the reader's derivation: it has none of its own, and asks for one.
+bool saves_derivation(const LessonSession& session);
 
 /// Writes a file into the folder, which is made if need be; it appears whole or not at all. Its name is the
 /// one that export gives (07-poinsot-step3.png; the names of figures, traces and scenes also have their
 /// kind), and if that is taken, has a number behind it: nothing is overwritten. A picture is the one that
 /// `polhode export` makes of the same state, byte for byte on the same driver. Of several equations the last
-/// is saved; of a step that has none and asks for a derivation, the lines of that as far as it goes. Answers
-/// are those to the whole lesson: quiz-answers.txt (answer_report.h).
+/// is saved; of a step that has none and asks for a derivation, the lines of that as far as it goes: nothing
+/// before the reader has one. Answers are those to the whole lesson: quiz-answers.txt (answer_report.h).
 Result<std::filesystem::path> save_as(const LessonSession& session, SaveAs what, const SaveOptions& options,
                                       const std::filesystem::path& folder, Renderer& renderer);
 

@@ -214,5 +214,18 @@ TEST(ShownCounterexample, IsNotMadeAgainAfterAnotherAnswer) {
   EXPECT_EQ(session.model()->scene, before);
 }
 
+// 2026-11-28: an arrow of the lesson's was ω, and a second one with a second name lay on it.
+TEST(ShownCounterexample, HasOneArrowOfAVector) {
+  LessonSession session(test::loaded_text(
+      "+++\nformat = 1\nid = \"drawn\"\ntitle = \"Drawn\"\n+++\n# Asked {asked}\nText.\n\n"
+      "```scene\nomega = [0, 12, 0.1]\nshow = [\"shape\"]\narrows = [{ of = \"omega\", name_at = 0.5 "
+      "}]\n```\n"
+      "```ask a\ntype = \"expression\"\nprompt = \"What?\"\nanswer = \"w1*w2*(I2 - I1)\"\n```\n"));
+  const AnswerJudgement judged = session.answer(*session.questions().front(), "w1*w2*(I1 - I2)");
+  ASSERT_TRUE(session.show_counterexample(*judged.counterexample));
+  EXPECT_FALSE(session.model()->scene.show.contains(Overlay::omega));
+  EXPECT_EQ(session.model()->scene.marks.arrows.size(), 1u);
+}
+
 }  // namespace
 }  // namespace polhode

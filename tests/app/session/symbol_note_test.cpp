@@ -38,6 +38,8 @@ TEST(Readable, IsANumberForPeople) {
   EXPECT_EQ(readable(9996), "1.00·10⁴");
   EXPECT_EQ(readable(0), "0");
   EXPECT_EQ(readable(std::nan("")), "");
+  EXPECT_EQ(readable(Vec3(0.9, -0.305, 0)), "(0.900, −0.305, 0)");
+  EXPECT_EQ(with_minus("-0.5"), "−0.5");
 }
 
 TEST(SymbolNote, SaysWhatASymbolIsAndWhatItIsNow) {

@@ -122,5 +122,17 @@ TEST(OmegaTip, IsNotWhereNoOmegaIsDrawn) {
   EXPECT_FALSE(TrialOmega(model, 0, 1.0).at(Vec3::Zero()));
 }
 
+TEST(OmegaTip, AnArrowFromTheCentreLiesWhereTheOverlayWould) {
+  Scene scene = scene_with({O::shape});
+  MarkVector omega;
+  omega.overlay = O::omega;
+  EXPECT_FALSE(has_arrow_along(scene, O::omega));
+  scene.marks.arrows = {{.of = omega, .at = omega}};
+  EXPECT_FALSE(has_arrow_along(scene, O::omega));
+  scene.marks.arrows = {{.of = omega, .length = 0.9}};
+  EXPECT_TRUE(has_arrow_along(scene, O::omega));
+  EXPECT_FALSE(has_arrow_along(scene, O::L));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -142,13 +142,17 @@ TEST(SavedPictures, OfADerivationAsFarAsItGoes) {
   for (bool more = true; more && !derives(); more = session.next_step()) {
   }
   ASSERT_TRUE(derives());
+  EXPECT_TRUE(saves_derivation(session));
+  EXPECT_FALSE(can_save_as(session, SaveAs::equation)) << "the lesson's line alone is none";
+  const Ask& ask = *session.questions().front();
+  session.derive(ask, ask.derivation->worked.front().line.typed);
   ASSERT_TRUE(can_save_as(session, SaveAs::equation));
   const test::Folder folder;
   const auto begun = save_as(session, SaveAs::equation, {}, folder.path(), *drawn().renderer);
   ASSERT_TRUE(begun) << begun.error();
-  const Ask& ask = *session.questions().front();
   EXPECT_NE(begun->filename().string().find(ask.id), std::string::npos) << *begun;
-  session.derive(ask, ask.derivation->worked.front().line.typed);
+  ASSERT_GT(ask.derivation->worked.size(), 1u);
+  session.derive(ask, ask.derivation->worked[1].line.typed);
   const auto longer = save_as(session, SaveAs::equation, {}, folder.path(), *drawn().renderer);
   ASSERT_TRUE(longer) << longer.error();
   EXPECT_GT(read_png(*longer).value().image.size.height, read_png(*begun).value().image.size.height);
