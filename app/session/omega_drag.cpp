@@ -287,6 +287,65 @@ std::vector<ArrowOnScreen> arrows_on_page(const Inset& inset) {
   return arrows;
 }
 
+namespace {
+
+/// About points of a figure; a point of its own that is not seen has no part in it.
+class BoxOfPoints {
+ public:
+  BoxOfPoints(const Camera& camera, const PixelRect& rect) : camera_(camera), rect_(rect) {}
+
+  void add(const Vec3& point) {
+    const auto at = on_page({point, camera_}, rect_);
+    if (!at) return;
+    box_ = is_empty_ ? PixelBox{at->x(), at->y(), at->x(), at->y()}
+                     : PixelBox{std::min(box_.x0, at->x()), std::min(box_.y0, at->y()),
+                                std::max(box_.x1, at->x()), std::max(box_.y1, at->y())};
+    is_empty_ = false;
+  }
+  void append_to(std::vector<PixelBox>& boxes, double grown = 0) const {
+    if (!is_empty_) boxes.push_back(box_.grown(grown));
+  }
+
+ private:
+  const Camera& camera_;
+  const PixelRect& rect_;
+  PixelBox box_;
+  bool is_empty_ = true;
+};
+
+}  // namespace
+
+std::vector<PixelBox> bodies_on_page(const Inset& inset, double size) {
+  constexpr std::size_t kMostOfMesh = 400, kMostOfTube = 60;
+  std::vector<PixelBox> boxes;
+  for (const Pane& pane : inset.figure.panes) {
+    const PixelRect rect = rect_of(pane, inset.place);
+    for (const GlassEllipsoid& one : pane.list.ellipsoids) {
+      BoxOfPoints box(pane.camera, rect);
+      for (int i = 0; i < 27; ++i) {
+        const Vec3 way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        if (i != 13) box.add(one.center + one.rotation * Vec3(one.semi_axes.cwiseProduct(way.normalized())));
+      }
+      box.append_to(boxes);
+    }
+    for (const Mesh& one : pane.list.meshes) {
+      BoxOfPoints box(pane.camera, rect);
+      const std::size_t by = 1 + one.positions.size() / kMostOfMesh;
+      for (std::size_t i = 0; i < one.positions.size(); i += by) box.add(one.positions[i]);
+      box.append_to(boxes);
+    }
+    for (const Tube& one : pane.list.tubes) {
+      const std::size_t by = 1 + one.points.size() / kMostOfTube;
+      for (std::size_t i = 0; i < one.points.size(); i += by) {
+        BoxOfPoints box(pane.camera, rect);
+        box.add(one.points[i]);
+        box.append_to(boxes, 0.5 * size);
+      }
+    }
+  }
+  return boxes;
+}
+
 std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const Inset& inset,
                                      std::size_t pane, double x, double y, bool keeps_L) {
   if (!std::isfinite(x) || !std::isfinite(y)) return std::nullopt;

@@ -2,6 +2,7 @@
 // The tip of ω in a figure: where it is, and which ω a hand comes to that takes it and puts it elsewhere.
 #pragma once
 
+#include "render/drawing/label_layout.h"
 #include "render/gl/renderer.h"
 #include "render/scene/model/model.h"
 
@@ -32,6 +33,8 @@ struct ArrowOnScreen {
 };
 /// All of a figure.
 std::vector<ArrowOnScreen> arrows_on_page(const Inset& inset);
+/// What else of a figure is no ground: a box around each body and surface, boxes of this size along curves.
+std::vector<PixelBox> bodies_on_page(const Inset& inset, double size);
 
 /// The ω, in body axes, whose tip is drawn at the point (px of the page) and the offset, or as near as any
 /// can be. It has the present energy; under torque that of the moment. "Drawn" means in the same pane, in the

@@ -55,8 +55,11 @@ inline constexpr Phrase kOmegaNoNearer{
 inline constexpr Phrase kOmegaAtOtherT{"ω = {0} rad/s, T = {1} J, not kept",
                                        "ω = {0} rad/s, T = {1} J, bleibt nicht"};
 inline constexpr Phrase kNotThisOmega{
-    "this arrow has a length or a tail of its own, and is not dragged: B changes ω",
-    "dieser Pfeil hat eigene Länge oder eigenen Anfang und lässt sich nicht ziehen: B ändert ω"};
+    "this arrow is ω at another length or from another point, and cannot be dragged; the panel Body changes "
+    "ω",
+    "dieser Pfeil ist ω in anderer Länge oder von einem anderen Punkt aus und lässt sich nicht ziehen; ω "
+    "ändert "
+    "man unter „Body“"};
 inline constexpr Phrase kStageNotChosen{"stage {0} (not one of the {1} chosen)",
                                         "Abschnitt {0} (nicht unter den {1} ausgewählten)"};
 inline constexpr Phrase kNoneOfChosenSteps{"Not one of the {0} chosen steps",

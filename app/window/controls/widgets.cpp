@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/controls/widgets.h"
 
+#include "app/session/symbol_note.h"
 #include "base/ascii.h"
 
 #include <fmt/format.h>
@@ -207,8 +208,8 @@ std::optional<double> time_line(const LessonSession::Interval& interval, double 
   if (hovered && !active) {
     const auto near = std::find_if(flips.begin(), flips.end(),
                                    [&](double flip) { return std::abs(x_of(flip) - pointer) < 0.6F * em; });
-    tooltip_of_last(near != flips.end() ? fmt::format("flip at t = {:.4g} s", *near)
-                                        : fmt::format("t = {:.4g} s", t_at(pointer)));
+    tooltip_of_last(near != flips.end() ? "flip at t = " + with_minus(fmt::format("{:.4g} s", *near))
+                                        : "t = " + with_minus(fmt::format("{:.4g} s", t_at(pointer))));
   }
   if (!active) return std::nullopt;
   // On a mark it is the flip itself.
@@ -217,7 +218,8 @@ std::optional<double> time_line(const LessonSession::Interval& interval, double 
   return t_at(pointer);
 }
 
-bool number_slider(const char* id, double& value, double from, double to, const char* format, int flags) {
+bool number_slider(const char* id, double& value, double from, double to, const char* format, int flags,
+                   Language language) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
   const bool is_typed = ImGui::TempInputIsActive(ImGui::GetID(id));
@@ -228,10 +230,11 @@ bool number_slider(const char* id, double& value, double from, double to, const 
   const bool is_log = (flags & ImGuiSliderFlags_Logarithmic) != 0 && from > 0;
   const double part = is_log ? std::log(std::clamp(value, from, to) / from) / std::log(to / from)
                              : (value - from) / (to - from);
-  std::array<char, 64> number{};
-  ImFormatString(number.data(), number.size(), format, value);
+  std::array<char, 64> formatted{};
+  ImFormatString(formatted.data(), formatted.size(), format, value);
+  const std::string number = with_decimals(with_minus(formatted.data()), language);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  const float edge = 2, width = ImGui::CalcTextSize(number.data()).x, half = 0.5F * style.GrabMinSize,
+  const float edge = 2, width = ImGui::CalcTextSize(number.c_str()).x, half = 0.5F * style.GrabMinSize,
               gap = 0.3F * ImGui::GetFontSize();
   const float thumb = low.x + edge + half +
                       (high.x - low.x - 2 * (edge + half)) * static_cast<float>(std::clamp(part, 0.0, 1.0));
@@ -239,7 +242,7 @@ bool number_slider(const char* id, double& value, double from, double to, const 
   float left = middle - 0.5F * width;
   if (left < thumb + half + gap && left + width > thumb - half - gap)
     left = thumb > middle ? thumb - half - gap - width : thumb + half + gap;
-  ImGui::GetWindowDrawList()->AddText({std::round(left), low.y + style.FramePadding.y}, ink, number.data());
+  ImGui::GetWindowDrawList()->AddText({std::round(left), low.y + style.FramePadding.y}, ink, number.c_str());
   return changed;
 }
 

@@ -50,8 +50,10 @@ std::optional<double> time_line(const LessonSession::Interval& interval, double 
                                 const std::vector<double>& flips, float width);
 
 /// A slider whose number stands beside its thumb where that would be on it. Enter, or Ctrl and a click, types
-/// a number. `format` is that of printf. True: it was changed.
-bool number_slider(const char* id, double& value, double from, double to, const char* format, int flags = 0);
+/// a number. `format` is that of printf, with a minus sign and the decimal mark of the language in what it
+/// makes. True: it was changed.
+bool number_slider(const char* id, double& value, double from, double to, const char* format, int flags = 0,
+                   Language language = Language::en);
 
 /// A heading within a panel.
 void heading(const char* text);

@@ -2,6 +2,7 @@
 #include "app/window/panels/answer_controls.h"
 
 #include "app/window/controls/widgets.h"
+#include "base/words/answer_words.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -56,8 +57,9 @@ void show_it_button(PanelContext& context, const Counterexample& counter) {
   const Counterexample* shown = context.session.counterexample();
   const bool is_shown = shown != nullptr && shown->state == counter.state;
   ImGui::BeginDisabled(is_shown);
-  if (ImGui::Button(is_shown ? "It is in the figure###show" : "Show it in the figure###show"))
-    context.requests.counterexample = counter;
+  const Phrase& phrase = is_shown ? words::kIsInFigure : words::kShowInFigure;
+  const std::string said(phrase.in(context.session.lesson().about.language));
+  if (ImGui::Button((said + "###show").c_str())) context.requests.counterexample = counter;
   ImGui::EndDisabled();
 }
 

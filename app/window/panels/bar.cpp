@@ -95,7 +95,9 @@ void draw_time(PanelContext& context, float width, bool has_frames) {
   const float x = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   const double t_s = session.t_s();
-  ImGui::TextUnformatted(fmt::format("t = {}{:.3f} s", t_s < 0 ? "−" : "", std::abs(t_s)).c_str());
+  const std::string t = with_decimals(fmt::format("t = {}{:.3f} s", t_s < 0 ? "−" : "", std::abs(t_s)),
+                                      session.lesson().about.language);
+  ImGui::TextUnformatted(t.c_str());
   ImGui::SameLine(x + number + gap);
   draw_speed(session, speed);
 }

@@ -191,12 +191,12 @@ void OutlinePanel::draw(PanelContext& context) {
 }
 
 void OutlinePanel::draw_stages(PanelContext& context) {
-  constexpr float kLeast = 12;  // em; where there is less the panel scrolls
+  constexpr float kLeast = 12;  // em; where there is less all of the panel scrolls, and nothing in it does
   LessonSession& session = context.session;
   const std::vector<Stage>& stages = session.lesson().stages;
   const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().y;
-  ImGui::BeginChild("stages", {0, room < kLeast * em ? kLeast * em : 0}, false,
-                    ImGuiWindowFlags_NavFlattened);
+  const bool scrolls = room >= kLeast * em;
+  if (scrolls) ImGui::BeginChild("stages", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     std::string title = context.speech.words_of_title(stages[i]);
     if (!title.empty() && title.back() == '.') title.pop_back();
@@ -219,7 +219,7 @@ void OutlinePanel::draw_stages(PanelContext& context) {
     step_row(context);
   }
   draw_lessons(context);
-  ImGui::EndChild();
+  if (scrolls) ImGui::EndChild();
 }
 
 }  // namespace polhode

@@ -7,6 +7,7 @@
 #include "app/window/panels/panels.h"
 #include "app/window/panels/progress_table.h"
 #include "app/window/panels/state_question.h"
+#include "base/words/answer_words.h"
 #include "base/words/edition_words.h"
 #include "base/words/page_words.h"
 #include "lessons/notation/typed/typed_formula.h"
@@ -24,38 +25,39 @@ namespace {
 
 using Mark = AnswerJudgement::Mark;
 
+Language language_of(const PanelContext& context) { return context.session.lesson().about.language; }
+
+std::string said(const PanelContext& context, const Phrase& phrase) {
+  return std::string(phrase.in(language_of(context)));
+}
+
 /// Of the answer that was judged, whatever is typed since.
-void show_verdict(PanelContext& context, const JudgedAnswer& answer) {
+void show_verdict(PanelContext& context, const Ask& ask, const JudgedAnswer& answer) {
   const AnswerJudgement& verdict = answer.judgement;
-  const Language language = context.session.lesson().about.language;
-  if (verdict.mark == Mark::right) return right_words(std::string(words::kRight.in(language)));
-  if (verdict.choice > 0) {
-    const char letter = letter_of_choice(static_cast<std::size_t>(verdict.choice) - 1);
-    warning_words(words::kChoiceIsNotRight.with(language, {std::string(1, letter)}));
-  } else {
-    const Phrase& phrase = verdict.mark == Mark::wrong ? words::kNotRight : words::kCannotBeRead;
-    std::string word(phrase.in(language));
-    if (!verdict.reason.empty()) word = word.substr(0, word.size() - 1) + ": " + verdict.reason + '.';
-    warning_words(word);
-  }
-  if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, answer.text));
-  if (!verdict.hint.empty()) quiet_words(verdict.hint);
+  const Language language = language_of(context);
+  const ToldVerdict told = told_verdict(ask, answer.text, verdict, language);
+  if (verdict.mark == Mark::right) return right_words(told.verdict);
+  warning_words(told.verdict);
+  if (verdict.column > 0)
+    quiet_words(words::kAtColumnOf.with(language, {std::to_string(verdict.column), answer.text}));
+  if (!told.hint.empty()) quiet_words(told.hint);
   if (const auto& counter = verdict.counterexample) {
-    quiet_words(
-        fmt::format("At {} yours is {}, right is {}.", counter->state, counter->left, counter->right));
+    quiet_words(words::kYoursAndRight.with(language, {counter->state, counter->left, counter->right}));
     show_it_button(context, *counter);
   }
 }
 
 /// Typed, and checked with Enter or the button. What is right needs no other try.
 void ask_for_words(PanelContext& context, const Ask& ask, std::string& typed) {
-  const std::string form = ask.number
-                               ? "a number" + (ask.number->unit.empty() ? "" : " in " + ask.number->unit)
-                               : fmt::format("such as {}", form_of_answer(ask.type));
-  if (text_field(context, "##answer", form.c_str(), "Check", typed))
+  const Language language = language_of(context);
+  const std::string form = !ask.number ? words::kSuchAs.with(language, {form_of_answer(ask.type)})
+                           : ask.number->unit.empty() ? said(context, words::kANumber)
+                                                      : words::kANumberIn.with(language, {ask.number->unit});
+  const std::string check = said(context, words::kCheck);
+  if (text_field(context, "##answer", form.c_str(), check.c_str(), typed))
     keep_typing(context.session.answer(ask, typed).mark != Mark::right);
   ImGui::SameLine();
-  if (ImGui::Button("Check") && !typed.empty()) context.session.answer(ask, typed);
+  if (ImGui::Button(check.c_str()) && !typed.empty()) context.session.answer(ask, typed);
   say_who_has_keys(context);
 }
 
@@ -65,10 +67,10 @@ void show_reply(PanelContext& context, const Ask& ask, const JudgedAnswer& answe
       ImGui::CalcTextSize("A").x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x;
   ImGui::Indent(indent);
   if (context.session.is_awaited(ask)) {
-    quiet_words("Watch what it does.");
-    if (ImGui::Button("Skip to the verdict")) context.session.end_play();
+    quiet_words(said(context, words::kWatchIt));
+    if (ImGui::Button(said(context, words::kSkipToVerdict).c_str())) context.session.end_play();
   } else {
-    show_verdict(context, answer);
+    show_verdict(context, ask, answer);
     context.texts.show(text_after(ask, answer.judgement));
   }
   ImGui::Unindent(indent);
@@ -101,23 +103,31 @@ void show_hints(PanelContext& context, const Ask& ask, bool is_settled) {
   const AnswerRecord known = record != nullptr ? *record : AnswerRecord();
   const auto shown = std::min(static_cast<std::size_t>(std::max(0, known.hints)), ask.hint_texts.size());
   for (std::size_t i = 0; i < shown; ++i)
-    context.texts.show(opened_by(fmt::format("Hint {}: ", i + 1), ask.hint_texts[i]), TextInk::quiet);
+    context.texts.show(
+        opened_by(words::kHintOpening.with(language_of(context), {std::to_string(i + 1)}), ask.hint_texts[i]),
+        TextInk::quiet);
   if (!is_settled && is_told(known, ask.hints.size()))
-    context.texts.show(opened_by("The answer is ", answer_text(context.session.lesson(), ask)));
+    context.texts.show(
+        opened_by(said(context, words::kAnswerOpening), answer_text(context.session.lesson(), ask)));
   AnswerRecord after = known;
   if (is_settled || !note_help(after, ask.hints.size())) return;
   // Whatever it says it is the same button, which keeps the focus.
-  const char* words = shown == ask.hints.size() ? "Show the answer###hint"
-                      : shown == 0              ? "A hint###hint"
-                                                : "Another hint###hint";
-  if (ImGui::Button(words)) context.session.show_hint(ask);
+  const Phrase& phrase = shown == ask.hints.size() ? words::kShowTheAnswer
+                         : shown == 0              ? words::kAHint
+                                                   : words::kAnotherHint;
+  if (ImGui::Button((said(context, phrase) + "###hint").c_str())) context.session.show_hint(ask);
+}
+
+/// Whether it was answered right before, and not tried since.
+bool is_known(const LessonSession& session, const Ask& ask) {
+  const AnswerRecord* record = session.record(ask);
+  return session.judged(ask) == nullptr && record != nullptr && record->right > 0;
 }
 
 /// Who has answered it right before, and comes back.
 void show_known(PanelContext& context, const Ask& ask) {
-  const AnswerRecord* record = context.session.record(ask);
-  if (context.session.judged(ask) != nullptr || record == nullptr || record->right == 0) return;
-  quiet_words("You have answered this one right.");
+  if (!is_known(context.session, ask)) return;
+  quiet_words(said(context, words::kAnsweredBefore));
   context.texts.show(ask.because, TextInk::quiet);
 }
 
@@ -127,10 +137,10 @@ std::string amount(int count, const char* of) {
 }
 
 /// "Answered right", or what else is known of a question.
-std::string standing_of(const LessonSession& session, const PlacedAsk& question) {
+const Phrase& standing_of(const LessonSession& session, const PlacedAsk& question) {
   const auto record = session.answers().find(question.name);
-  if (record == session.answers().end() || record->second.tries == 0) return "not answered";
-  return record->second.right > 0 ? "answered right" : "not yet right";
+  if (record == session.answers().end() || record->second.tries == 0) return words::kNotAnswered;
+  return record->second.right > 0 ? words::kAnsweredRight : words::kNotYetRight;
 }
 
 bool is_open(const LessonSession& session, const Ask& ask) {
@@ -194,7 +204,9 @@ void QuestionsPanel::draw_as_set(PanelContext& context, const Ask& ask) {
 void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::size_t number,
                                    std::size_t count) {
   ImGui::PushID(ask.id.c_str());
-  heading(count > 1 ? fmt::format("Question {} of {}", number, count).c_str() : "Question");
+  const std::string of_all =
+      words::kQuestionNumber.with(language_of(context), {std::to_string(number), std::to_string(count)});
+  heading(count > 1 ? of_all.c_str() : said(context, words::kQuestionLabel).c_str());
   // What leads where in a derivation stands below, as it is typed; and goals with how far they are.
   const bool has_more_below = ask.derivation || ask.task;
   context.texts.show(has_more_below ? RichText{ask.prompt_text.front()} : ask.prompt_text);
@@ -203,7 +215,7 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
   switch (ask.type) {
     case Ask::Type::order:
       show_letters(context, ask);
-      quiet_words("Put the letters in order.");
+      quiet_words(said(context, words::kPutInOrder));
       ask_for_words(context, ask, typed);
       break;
     case Ask::Type::expression:
@@ -218,7 +230,7 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
       ask_for_choice(context, ask);
       break;
     case Ask::Type::state:
-      ask_for_state(context, ask);
+      is_settled = ask_for_state(context, ask);
       break;
     case Ask::Type::derive:
       ask_for_derivation(context, ask, typed);
@@ -228,11 +240,11 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
   const JudgedAnswer* answer = context.session.judged(ask);
   if (!ask.derivation && !ask.task) {
     if (answer != nullptr && answer->judgement.choice == 0) {
-      show_verdict(context, *answer);
+      show_verdict(context, ask, *answer);
       context.texts.show(text_after(ask, answer->judgement));
     }
-    const bool is_right = answer != nullptr && answer->judgement.mark == Mark::right;
-    is_settled = is_right;
+    is_settled =
+        is_known(context.session, ask) || (answer != nullptr && answer->judgement.mark == Mark::right);
     show_known(context, ask);
   }
   if (!context.session.is_awaited(ask)) {
@@ -250,11 +262,12 @@ void QuestionsPanel::draw_earlier(PanelContext& context, bool is_alone) {
   std::erase_if(earlier, [&](const PlacedAsk& question) { return question.place.step >= here.step; });
   if (is_alone) quiet_words("There is no question on this step.");
   if (earlier.empty()) return;
-  heading("Earlier in this stage");
+  heading(said(context, words::kEarlierInStage).c_str());
   std::optional<StepPlace> chosen;
   for (const PlacedAsk& question : earlier) {
-    const std::string opening =
-        fmt::format("Step {}, {}: ", question.place.step + 1, standing_of(session, question));
+    const std::string opening = words::kEarlierStep.with(
+        language_of(context),
+        {std::to_string(question.place.step + 1), standing_of(session, question).in(language_of(context))});
     const RichText words = opened_by(opening, {question.ask->prompt_text.front()});
     if (context.texts.row(question.name.c_str(), words, TextInk::quiet)) chosen = question.place;
   }

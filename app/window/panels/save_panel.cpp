@@ -30,9 +30,10 @@ void offer(PanelContext& context, const char* words, SaveAs what, const std::str
   ImGui::BeginDisabled(!can_save_as(context.session, what));
   if (ImGui::Button(words, {-1, 0})) context.requests.save_as = what;
   ImGui::EndDisabled();
-  tooltip_of_last(can_save_as(context.session, what) ? tooltip
-                  : what == SaveAs::equation         ? "This step has no equation."
-                                                     : "This step has no figure.");
+  tooltip_of_last(can_save_as(context.session, what)  ? tooltip
+                  : what != SaveAs::equation          ? "This step has no figure."
+                  : saves_derivation(context.session) ? "Your derivation has no line yet."
+                                                      : "This step has no equation.");
 }
 
 }  // namespace
@@ -48,8 +49,10 @@ void SavePanel::draw(PanelContext& context) {
   ImGui::Checkbox("transparent background", &options.transparent);
   offer(context, "Save the page", SaveAs::page, "As polhode export writes it. " + told(Command::save_page));
   offer(context, "Save the figure", SaveAs::figure, "Without text and plots");
-  offer(context, "Save the equation", SaveAs::equation,
-        "The last one of this step, or your derivation as far as it goes, at 300 dots per inch");
+  const bool is_derivation = saves_derivation(context.session);
+  offer(context, is_derivation ? "Save the derivation" : "Save the equation", SaveAs::equation,
+        is_derivation ? "Yours, as far as it goes, at 300 dots per inch"
+                      : "The last one of this step, at 300 dots per inch");
   heading("Motion");
   ImGui::BeginDisabled(!context.session.model());
   if (ImGui::Button("Copy as CSV", {-1, 0})) context.requests.clipboard = trace_of(context.session);

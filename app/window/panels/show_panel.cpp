@@ -72,7 +72,8 @@ void choose_camera(LessonSession& session) {
 void offer_overlay(PanelContext& context, Overlay overlay) {
   LessonSession& session = context.session;
   const SceneModel& model = *session.model();
-  const bool is_lessons = !model.scene.show.contains(overlay) && draws_by_arrow(model, overlay);
+  const bool is_lessons =
+      !model.scene.show.contains(overlay) && model.needs.marks && has_arrow_along(model.scene, overlay);
   bool shown = is_lessons || model.scene.show.contains(overlay);
   const std::string unseen = what_is_unseen(overlay, model.scene);
   // Of what would not be seen there is no picture.
@@ -86,19 +87,19 @@ void offer_overlay(PanelContext& context, Overlay overlay) {
   ImGui::BeginDisabled(is_lessons);
   const bool is_changed = wrapped_checkbox(words_of(overlay), shown) && !is_lessons;
   ImGui::EndDisabled();
-  if (unseen.empty()) ImGui::SetCursorPosY(std::max(below, ImGui::GetCursorPosY()));
   if (is_changed) {
     SceneEdits edits = session.edits();
     set_shown(edits, session.lesson_scene(), overlay, shown);
     context.requests.edits = edits;
   }
-  const std::string note = is_lessons ? kDrawnByLesson : unseen;
-  if (note.empty()) return;
-  const float indent = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + height * 4 / 3 +
-                       ImGui::GetStyle().ItemSpacing.x;
-  ImGui::Indent(indent);
-  quiet_words(note);
-  ImGui::Unindent(indent);
+  if (const std::string note = is_lessons ? kDrawnByLesson : unseen; !note.empty()) {
+    const float indent = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + height * 4 / 3 +
+                         ImGui::GetStyle().ItemSpacing.x;
+    ImGui::Indent(indent);
+    quiet_words(note);
+    ImGui::Unindent(indent);
+  }
+  if (unseen.empty()) ImGui::SetCursorPosY(std::max(below, ImGui::GetCursorPosY()));
 }
 
 }  // namespace

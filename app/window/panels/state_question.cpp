@@ -5,6 +5,9 @@
 #include "app/session/steering.h"
 #include "app/window/controls/widgets.h"
 #include "base/angles.h"
+#include "base/words/answer_words.h"
+#include "base/words/edition_words.h"
+#include "base/words/page_words.h"
 #include "lessons/claims/expressions/expression_tex.h"
 #include "physics/body/euler.h"
 #include "render/scene/model/scene_problem.h"
@@ -45,7 +48,8 @@ bool slider(PanelContext& context, const Name& name, double& value, double from,
   ImGui::AlignTextToFramePadding();
   const std::string number = fmt::format(fmt::runtime(format), std::abs(value));
   const bool is_zero = number.find_first_not_of("0.") == number.npos;
-  ImGui::TextUnformatted(fmt::format("{}{}{}", value < 0 && !is_zero ? "−" : "", number, name.unit).c_str());
+  const std::string signed_number = (value < 0 && !is_zero ? "−" : "") + number + name.unit;
+  ImGui::TextUnformatted(with_decimals(signed_number, context.session.lesson().about.language).c_str());
   return is_moved;
 }
 
@@ -140,79 +144,92 @@ class Controls {
   bool changed_ = false;
 };
 
-/// What is given of the motion that is shown: all that the reader does not change.
-RichText given(const Scene& now, const StateTask& task) {
-  SteeredState state;
-  if (!task.change.contains(Steered::omega)) state.w0_B = now.w0_B;
-  if (!task.change.contains(Steered::moments)) state.moments = now.body.moments.vector();
-  if (!task.change.contains(Steered::torque) && !now.torque.empty()) {
-    const TorqueTerm constant = constant_torque(now.torque);
-    if (!components_of(constant).isZero(0)) state.torque = constant;
-  }
-  const std::string line = line_of(state);
-  if (line.empty()) return {};
-  return line_text((state.w0_B ? "Given, at $t = 0$: " : "Given: ") + line + '.');
-}
-
 RichText words_of_goal(const Lesson& lesson, const StateGoal& goal) {
-  RichText words = goal.say.empty()
-                       ? formula_text(tex_of(goal.number.expression, &lesson.notation.vocabulary))
-                       : line_text(goal.say);
-  words =
-      in_a_row(std::move(words), words_text((goal.is ? " = " : " ") + range_of(goal, lesson.about.language)));
-  return opened_by("Goal: ", std::move(words));
+  const Language language = lesson.about.language;
+  RichText text = goal.say.empty() ? formula_text(tex_of(goal.number.expression, &lesson.notation.vocabulary))
+                                   : line_text(goal.say);
+  text = in_a_row(std::move(text), words_text((goal.is ? " = " : " ") + range_of(goal, language)));
+  return opened_by(std::string(words::kGoal.in(language)), std::move(text));
 }
 
-/// `when` says at which time the motion is looked at, as the page beside may show another.
-void show_goal(PanelContext& context, const StateGoal& goal, const GoalReading& reading, const char* when) {
-  context.texts.show(words_of_goal(context.session.lesson(), goal), TextInk::quiet);
-  if (reading.is_reached) return right_words(fmt::format("Reached: {}{}.", when, words_of(goal, reading)));
-  plain_words(fmt::format("Now {}{}.", when, words_of(goal, reading)));
+/// "35.2°, 4.8° too small"
+std::string words_of_reading(const StateGoal& goal, const GoalReading& reading, Language language) {
+  if (!reading.value) return std::string(words::kNotDefined.in(language));
+  const auto number = [&](double value) { return with_decimals(value_text(goal, value), language); };
+  const std::string is = number(*reading.value);
+  if (reading.is_reached) return is;
+  const Phrase& off = reading.off < 0 ? words::kTooSmall : words::kTooLarge;
+  return off.with(language, {is, number(std::abs(reading.off))});
 }
 
-/// The verdict stands as long as the motion is the one that was judged.
-void check(PanelContext& context, const Ask& ask, const Steering& steering) {
+/// The page beside may show another time than the one at which the motion is looked at.
+void show_goal(PanelContext& context, const StateGoal& goal, const GoalReading& reading, bool is_at_start) {
+  const Lesson& lesson = context.session.lesson();
+  context.texts.show(words_of_goal(lesson, goal), TextInk::quiet);
+  const std::string reads = words_of_reading(goal, reading, lesson.about.language);
+  const Phrase& phrase = reading.is_reached ? (is_at_start ? words::kReachedAtStart : words::kReached)
+                                            : (is_at_start ? words::kNowAtStart : words::kNow);
+  const std::string line = phrase.with(lesson.about.language, {reads});
+  reading.is_reached ? right_words(line) : plain_words(line);
+}
+
+/// The verdict stands as long as the motion is the one that was judged. True: it is right, or one was before.
+bool check(PanelContext& context, const Ask& ask, const Steering& steering) {
   using Mark = AnswerJudgement::Mark;
+  const Language language = context.session.lesson().about.language;
   const std::string state = text_of(steering.state);
   ImGui::BeginDisabled(!steering.elsewhere.empty() || state.empty());
-  if (ImGui::Button("Check", {-1, 0})) context.session.answer(ask, state);
+  if (ImGui::Button(std::string(words::kCheck.in(language)).c_str(), {-1, 0}))
+    context.session.answer(ask, state);
   ImGui::EndDisabled();
   const JudgedAnswer* judged = context.session.judged(ask);
   const AnswerRecord* record = context.session.record(ask);
-  if (judged != nullptr && judged->text == state && judged->judgement.mark == Mark::right) {
-    right_words("Right.");
+  const bool is_of_now = judged != nullptr && judged->text == state;
+  const bool is_right = is_of_now && judged->judgement.mark == Mark::right,
+             was_right = !is_of_now && record != nullptr && record->right > 0;
+  if (is_of_now) {
+    const std::string verdict = told_verdict(ask, judged->text, judged->judgement, language).verdict;
+    is_right ? right_words(verdict) : warning_words(verdict);
+  }
+  if (is_right) {
     context.texts.show(text_after(ask, judged->judgement));
-  } else if (judged != nullptr && judged->text == state) {
-    warning_words(fmt::format("Not right: {}.", judged->judgement.reason));
-  } else if (record != nullptr && record->right > 0) {
-    quiet_words("You have answered this one right.");
+  } else if (was_right) {
+    quiet_words(std::string(words::kAnsweredBefore.in(language)));
     context.texts.show(ask.because, TextInk::quiet);
   }
+  return is_right || was_right;
 }
 
 }  // namespace
 
-void ask_for_state(PanelContext& context, const Ask& ask) {
+bool ask_for_state(PanelContext& context, const Ask& ask) {
   LessonSession& session = context.session;
+  const Language language = session.lesson().about.language;
+  const auto said = [language](const Phrase& phrase) { return std::string(phrase.in(language)); };
   const StateTask& task = *ask.task;
-  if (session.is_aside()) return quiet_words("The figure shows another body. Go back to this one first.");
+  if (session.is_aside()) {
+    quiet_words(said(words::kShowsAnotherBody));
+    return false;
+  }
   const Steering steering = steering_of(session, task);
-  const char* const when = task.change.contains(Steered::t) ? "" : "at t = 0 it is ";
+  const bool is_at_start = !task.change.contains(Steered::t);
   for (std::size_t i = 0; i < task.goals.size(); ++i)
-    show_goal(context, task.goals[i], steering.goals[i], when);
-  context.texts.show(given(session.model()->scene, task));
+    show_goal(context, task.goals[i], steering.goals[i], is_at_start);
+  context.texts.show(given_text(task, language));
   if (!steering.elsewhere.empty()) {
-    warning_words(fmt::format("Changed too: {}. This question is about the lesson's.", steering.elsewhere));
-    if (ImGui::Button("Put it back", {-1, 0})) context.requests.edits = put_back(session.edits(), task);
+    warning_words(words::kChangedToo.with(language, {steering.elsewhere}));
+    if (ImGui::Button(said(words::kPutItBack).c_str(), {-1, 0}))
+      context.requests.edits = put_back(session.edits(), task);
   }
   if (task.change.contains(Steered::omega) && session.model()->drawn.contains(Overlay::omega))
-    quiet_words("Drag the tip of ω in the figure, which keeps T, or use the sliders.");
+    quiet_words(said(words::kDragOrSlide));
   Controls(context, task).draw();
-  check(context, ask, steering);
+  const bool is_settled = check(context, ask, steering);
   ImGui::BeginDisabled(session.edits().empty());
-  if (ImGui::Button("Back to the lesson's scene", {-1, 0})) session.reset_edits();
+  if (ImGui::Button(said(words::kBackToScene).c_str(), {-1, 0})) session.reset_edits();
   ImGui::EndDisabled();
   tooltip_of_last(told(Command::reset_scene));
+  return is_settled;
 }
 
 }  // namespace polhode

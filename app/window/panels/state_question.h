@@ -7,7 +7,8 @@
 
 namespace polhode {
 
-/// The answer is given by the button Check: reaching a goal on the way to somewhere else is none.
-void ask_for_state(PanelContext& context, const Ask& ask);
+/// The answer is given by the button Check: reaching a goal on the way to somewhere else is none. True:
+/// it is answered right, by the motion that is shown or before.
+bool ask_for_state(PanelContext& context, const Ask& ask);
 
 }  // namespace polhode

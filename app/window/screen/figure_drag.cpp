@@ -15,12 +15,14 @@ std::string FigureDrag::use_mouse(LessonSession& session, const std::vector<Inse
   using On = FigureHand::On;
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.MouseDown[0] || session.model() == nullptr) hand_.let_go();
+  const bool was_near_untaken = is_near_untaken_;
   is_near_ = is_near_untaken_ = false;
   if (session.model() == nullptr) return {};
   const Vec2 at(io.MousePos.x, io.MousePos.y);
   const On under = on_page ? FigureHand::under(session, insets, at, reach) : On::nothing;
   is_near_ = under == On::omega && !io.MouseDown[0];
-  if (under == On::figure && !io.MouseDown[0])
+  // Who presses it has not read why yet.
+  if (under == On::figure && (!io.MouseDown[0] || io.MouseClicked[0] || was_near_untaken))
     for (const TipOnScreen& tip : untaken_tips(*session.model(), session.t_s(), insets))
       is_near_untaken_ = is_near_untaken_ || std::hypot(tip.x - at.x(), tip.y - at.y()) < reach;
   if (is_near_untaken_) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);

@@ -5,6 +5,7 @@
 #include "app/window/panels/panel_context.h"
 #include "render/gl/renderer.h"
 
+#include <utility>
 #include <vector>
 
 namespace polhode {
@@ -13,11 +14,27 @@ namespace polhode {
 /// points at an arrow by which ω is not taken.
 enum class TipHand { away, near, turns, scales, short_of, untaken };
 
+/// What something that lies on a figure keeps clear of, px.
+struct TakenOnFigure {
+  std::vector<PixelBox> names{};   ///< and tips of arrows: to be kept clear of above all
+  std::vector<PixelBox> bodies{};  ///< shafts of arrows, surfaces
+  /// Of what a box there would hide.
+  double hidden_by(const PixelBox& box) const;
+};
+
 /// Where words of this size stand beside a point, `gap` from it, px: inside the room and clear of what is
 /// there, as far as that can be. `place` is which of some places they had, and have now: they stay while they
 /// are clear.
 Vec2 place_beside(const Vec2& at, double gap, const Vec2& size, const PixelBox& room,
-                  const std::vector<PixelBox>& taken, std::size_t& place);
+                  const TakenOnFigure& taken, std::size_t& place);
+
+/// Which of these boxes hides least, the first of those that hide the same.
+std::size_t clearest(const std::vector<PixelBox>& boxes, const TakenOnFigure& taken);
+
+/// From where to where, rad clockwise from the right, a ring about a point is to be drawn, so that it crosses
+/// none of the boxes.
+std::vector<std::pair<double, double>> ring_beside(const Vec2& at, double radius,
+                                                   const std::vector<PixelBox>& names);
 
 /// What the words at a tip keep clear of, besides arrows.
 struct AroundTip {
@@ -30,11 +47,19 @@ struct AroundTip {
 void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& insets, TipHand hand,
                      const AroundTip& around, const ControlSizes& sizes);
 
-/// In an upper corner of the figure, the region, clear of the tips of ω: that the scene was changed, or is
-/// that of a counterexample, with a button that leads back. Nothing of the lesson's own scene, nor while the
-/// hand has ω.
-void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets, bool is_held,
-                     const Region& figure, const ControlSizes& sizes);
+/// Where the chip of a changed scene stands in a figure. It stays as long as the figure has the same place,
+/// unless it would hide a name or the head of an arrow.
+struct ChipPlace {
+  std::size_t corner = 0;  ///< upper right, upper left, lower left
+  Region of{};             ///< the figure
+};
+/// In a corner of the figure, the region, clear of what is drawn there as far as can be: that the scene was
+/// changed, or is that of a counterexample, with a button that leads back; on one line where it has room.
+/// Nothing of the lesson's own scene, nor while the hand has ω.
+/// @param names what is written in the figure; of one that moves they need not be known
+void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets,
+                     const std::vector<PixelBox>& names, bool is_held, const Region& figure,
+                     const ControlSizes& sizes, ChipPlace& place);
 
 /// In the lower right corner of the figure: larger, where it has type that is too small to be read; and back.
 void draw_size_chip(LessonSession& session, bool is_too_small, const Region& figure,

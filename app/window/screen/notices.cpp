@@ -3,13 +3,51 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace polhode {
 
 namespace {
 
 constexpr double kSeconds = 6;
 
+std::string_view without_blanks_behind(std::string_view text) {
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
 }  // namespace
+
+std::string on_lines(std::string_view text, float width,
+                     const std::function<float(std::string_view)>& width_of) {
+  std::string lines, line;
+  const auto end_line = [&] {
+    lines += std::string(without_blanks_behind(line)) + '\n';
+    line.clear();
+  };
+  const auto add = [&](std::string_view piece) {
+    if (!line.empty() && width_of(line + std::string(without_blanks_behind(piece))) > width) end_line();
+    line += piece;
+  };
+  while (!text.empty()) {
+    if (text.front() == '\n') {
+      end_line();
+      text.remove_prefix(1);
+      continue;
+    }
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view word = text.substr(0, std::min(text.find(' '), end - 1) + 1);
+    text.remove_prefix(word.size());
+    const bool breaks = width_of(without_blanks_behind(word)) > width;
+    while (!word.empty()) {
+      const std::size_t slash = breaks ? word.find('/', 1) : word.npos;
+      const std::string_view piece = word.substr(0, slash == word.npos ? slash : slash + 1);
+      add(piece);
+      word.remove_prefix(piece.size());
+    }
+  }
+  return lines + line;
+}
 
 void Notices::tell(const std::string& text, double clock_s) {
   text_ = text;
@@ -38,7 +76,11 @@ void Notices::draw(const Region& page, Theme theme, float padding, double clock_
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs |
                    ImGuiWindowFlags_NoSavedSettings);
-  ImGui::PushTextWrapPos(most - 3 * padding);
+  const float width = most - 3 * padding;
+  text = on_lines(text, width - 2 * padding, [](std::string_view words) {
+    return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+  });
+  ImGui::PushTextWrapPos(width);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::End();

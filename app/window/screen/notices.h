@@ -5,10 +5,18 @@
 #include "app/page/page_theme.h"
 #include "app/window/panels/panel_context.h"
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace polhode {
+
+/// The text on lines of at most this width: broken at spaces, and where a word alone is wider, a path say,
+/// behind a slash of it, so that the names of folders and files stay whole. What has neither is left as it
+/// is.
+std::string on_lines(std::string_view text, float width,
+                     const std::function<float(std::string_view)>& width_of);
 
 class Notices {
  public:

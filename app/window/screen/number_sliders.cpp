@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/screen/number_sliders.h"
 
+#include "app/session/symbol_note.h"
 #include "app/window/controls/widgets.h"
 #include "lessons/reader/scene/varied_scene.h"
 
@@ -43,16 +44,18 @@ SlidersUsed draw_number_sliders(LessonSession& session, const Region& figure, co
     ImGui::SetNextItemWidth(-1);
     double value = number.value;
     const std::string format = fmt::format("%.4g {}", facts.unit);
-    bool changed =
-        number_slider("##value", value, number.from, number.to, format.c_str(), ImGuiSliderFlags_NoInput);
+    bool changed = number_slider("##value", value, number.from, number.to, format.c_str(),
+                                 ImGuiSliderFlags_NoInput, session.lesson().about.language);
     // A slider follows the mouse as long as it is down, after the second click too.
     if (ImGui::IsItemActive() && ImGui::GetIO().MouseClickedLastCount[0] > 1) {
       value = session.step().scene->vary[i].value;
       changed = true;
     }
     used.is_held = used.is_held || ImGui::IsItemActive();
-    tooltip_of_last(fmt::format("From {:.4g} to {:.4g} {}; double click: the lesson's value. {}; {}",
-                                number.from, number.to, facts.unit, told(kKeys[i][0]), told(kKeys[i][1])));
+    tooltip_of_last(fmt::format("From {} to {} {}; double click: the lesson's value. {}; {}",
+                                with_minus(fmt::format("{:.4g}", number.from)),
+                                with_minus(fmt::format("{:.4g}", number.to)), facts.unit, told(kKeys[i][0]),
+                                told(kKeys[i][1])));
     if (changed)
       if (const Status made = session.vary(i, value); !made) used.refusal = made.error();
     ImGui::PopID();

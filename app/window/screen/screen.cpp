@@ -131,7 +131,8 @@ void Screen::adopt_style(const LessonSession& session, const ScreenFrame& frame)
 }
 
 /// Where so little of the figure would be left beside it that one sees nothing, it takes the figure's whole
-/// side, as the last frame had it; but while a motion answers a question, it gives way to that.
+/// side, as the last frame had it; but that of the questions gives way to a motion that answers one, while it
+/// plays.
 float Screen::panel_width(const LessonSession& session, Size size) const {
   const auto width = static_cast<float>(size.width);
   if (session.panel == Panel::none) return 0;
@@ -142,10 +143,8 @@ float Screen::panel_width(const LessonSession& session, Size size) const {
   const bool is_beside = session.has_scene() && !session.is_enlarged() && page.ceiling <= 0 && text > 0;
   const bool leaves_nothing = width - wished - text < static_cast<float>(page.least_figure);
   if (!is_beside || !leaves_nothing || text >= 0.8F * width) return wished;
-  const auto questions = session.questions();
-  const bool answers =
-      std::ranges::any_of(questions, [&](const Ask* ask) { return session.is_awaited(*ask); });
-  return answers ? 0 : width - text;
+  const bool gives_way = session.panel == Panel::question && session.is_playing() && awaits_answer(session);
+  return gives_way ? 0 : width - text;
 }
 
 /// What the bar leaves. A panel lies over the figure's side: nothing of the text moves.
@@ -419,7 +418,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     if (notices_.told_at_s() < last_s) tell("");
   }
   if (notices_.told() == kAnswerFirst && held_back_ != session.place()) tell("");
-  if (notices_.told() == kAnswerFirst && !has_open_prediction(session)) tell("");
+  if (notices_.told() == kAnswerFirst && (session.is_presenting() || !has_open_prediction(session))) tell("");
   if (session.is_black()) has_menu_ = false;  // nothing of it is seen
   stage_title_ = speech_->words_of_title(session.stage());
   if (!stage_title_.empty() && stage_title_.back() == '.') stage_title_.pop_back();
@@ -601,7 +600,9 @@ void Screen::lay_out_sliders(LessonSession& session) {
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);
   if (!session.has_speaker())  // in whose window it is then
-    draw_scene_chip(session, page_->insets(), drag_.holds_omega(), figure, *sizes_);
+    draw_scene_chip(session, page_->insets(),
+                    session.is_moving() ? std::vector<PixelBox>() : page_->type_beside_text(),
+                    drag_.holds_omega(), figure, *sizes_, chip_);
 }
 
 /// On the page, or in a figure that rests: while it moves its names do, too.

@@ -8,6 +8,7 @@
 #include "app/window/controls/control_pass.h"
 #include "app/window/panels/panels.h"
 #include "app/window/screen/figure_drag.h"
+#include "app/window/screen/figure_marks.h"
 #include "app/window/screen/notices.h"
 #include "app/window/screen/pace.h"
 #include "app/window/screen/page_view.h"
@@ -146,6 +147,7 @@ class Screen {
   SymbolFocus symbols_;
   FigureDrag drag_;
   PlotHand plots_;
+  ChipPlace chip_;                ///< of the changed scene
   std::size_t place_at_tip_ = 0;  ///< of the words at the tip of ω (place_beside)
   bool varies_ = false;           ///< a number, by a slider that is held
   Notices notices_;

@@ -34,6 +34,20 @@ const Page::Choice* Screen::choice_at(const LessonSession& session, const Vec2& 
   return nullptr;
 }
 
+namespace {
+
+/// Of what is read first in the box, in the column.
+double first_baseline(const Page& page, const PixelBox& box) {
+  for (std::size_t i = 0; i < page.column_texts; ++i) {
+    const PlacedType& text = page.sheet.texts[i];
+    for (const Glyph& glyph : text.list.glyphs)
+      if (const Vec2 at = text.at + Vec2(glyph.x, glyph.y); box.contains(at)) return at.y();
+  }
+  return box.y1;
+}
+
+}  // namespace
+
 void Screen::pick(LessonSession& session, const Page::Choice& choice) {
   session.panel = Panel::question;  // where the reply stands
   session.answer(*choice.ask, std::string(1, letter_of_choice(choice.number)));
@@ -69,7 +83,8 @@ void Screen::draw_choices(const LessonSession& session, const Page::Choice* poin
     const Phrase& phrase = is_right ? words::kMarkedRight : words::kMarkedNotRight;
     const std::string word(phrase.in(session.lesson().about.language));
     const double left = box.x0 - 0.9 * page_->page().scale * em - ImGui::CalcTextSize(word.c_str()).x;
-    list.AddText(corner(left, 0.5 * (box.y0 + box.y1) - 0.5 * em),
+    const double ascent = ImGui::GetFont()->Ascent * em / ImGui::GetFont()->FontSize;
+    list.AddText(corner(left, first_baseline(page_->page(), box) - ascent),
                  ImGui::GetColorU32(is_right ? ImGuiCol_PlotLines : ImGuiCol_NavHighlight), word.c_str());
   }
 }

@@ -6,7 +6,9 @@
 #include "app/window/controls/widgets.h"
 #include "app/window/screen/figure_marks.h"
 #include "base/ascii.h"
+#include "base/words/edition_words.h"
 #include "base/words/page_words.h"
+#include "base/words/speaker_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -122,6 +124,7 @@ void ScreenOfSpeaker::adopt_style(const LessonSession& session, const ScreenFram
     controls_->load_fonts();
   }
   if (sizes_ != sizes || theme_ != theme) set_control_style(theme, sizes);
+  if (sizes_ != sizes) controls_height_.reset();
   sizes_ = sizes;
   theme_ = theme;
 }
@@ -132,9 +135,12 @@ ScreenOfSpeaker::Areas ScreenOfSpeaker::areas_of(Size size) const {
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
   const float gap = sizes_->padding, left = std::round((width < height ? 0.5F : 0.6F) * width);
   // In a half of a screen the buttons take a second row, and where we are stands below the time.
-  constexpr float kOneRow = 46;  // em
-  const float top = gap + 1.9F * sizes_->em, bar = (left < kOneRow * sizes_->em ? 3.2F : 2.0F) * sizes_->bar;
-  const Region room{gap, top, left - 2 * gap, 0.62F * height};
+  constexpr float kOneRow = 46;  // em; a first guess: the last frame knows how high they are
+  const float top = gap + 1.9F * sizes_->em,
+              bar = controls_height_.value_or((left < kOneRow * sizes_->em ? 3.2F : 2.0F) * sizes_->bar);
+  constexpr float kList = 12;  // em, of the stages
+  const float most = std::min(0.62F * height, height - top - bar - kList * sizes_->em);
+  const Region room{gap, top, left - 2 * gap, std::max(0.3F * height, most)};
   const Region page = fitted(room, audience_.picture().size());
   const float below = page.y + page.height;
   const Region beside{left + gap, top, width - left - 2 * gap, 0.5F * height};
@@ -176,15 +182,18 @@ void ScreenOfSpeaker::draw_controls(LessonSession& session, const Region& region
   same_line_if_fits("End");
   if (toggle_button("End", false, told(Command::leave))) session.set_presenting(false);
   draw_clock(session);
+  controls_height_ = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
   ImGui::End();
 }
 
 void ScreenOfSpeaker::draw_clock(const LessonSession& session) {
   ImGui::PushFont(bold_control_font());
-  ImGui::TextUnformatted(fmt::format("{}   {} elapsed", time_of_day(), duration_text(elapsed_s())).c_str());
+  const Language language = session.lesson().about.language;
+  const std::string elapsed = words::kElapsed.with(language, {duration_text(elapsed_s())});
+  ImGui::TextUnformatted((time_of_day() + "   " + elapsed).c_str());
   ImGui::PopFont();
   ImGui::SameLine();
-  if (ImGui::SmallButton("from 0:00")) begun_s_ = clock_s_;
+  if (ImGui::SmallButton(std::string(words::kFromZero.in(language)).c_str())) begun_s_ = clock_s_;
   tooltip_of_last("Begin to count the time again");
   const std::string where =
       fmt::format("{}; {}, {}", count_text(session), stage_count(session), step_count(session));
@@ -200,7 +209,8 @@ void ScreenOfSpeaker::draw_outline(LessonSession& session, const Region& region)
     if (!title.empty() && title.back() == '.') title.pop_back();
     const bool is_here = i == session.place().stage, is_passed = session.passes_over(i);
     if (is_passed) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    const char* note = is_passed ? "   (passed over)" : "";
+    const std::string note =
+        is_passed ? "   " + std::string(words::kPassedOver.in(session.lesson().about.language)) : "";
     const auto stage = session.stage_number(i);
     const std::string number = stage ? std::to_string(stage->number) : "–";
     if (choice_row(fmt::format("{}   {}{}##{}", number, title, note, i).c_str(), is_here))
@@ -219,15 +229,18 @@ void ScreenOfSpeaker::draw_notes(const LessonSession& session, const Region& reg
   begin_area("notes", region);
   const Step& step = session.step();
   for (const Callout& note : step.notes) texts_.show(note.text);
-  if (step.notes.empty()) quiet_words("There is no note to this step.");
+  const auto said = [&](const Phrase& phrase) {
+    return std::string(phrase.in(session.lesson().about.language));
+  };
+  if (step.notes.empty()) quiet_words(said(words::kStepHasNoNote));
   for (const Callout* callout : blocks_of<Callout>(step)) {
     if (callout->kind != Callout::Kind::derivation) continue;
-    heading("Derivation");
+    heading(said(words::kDerivationHeading).c_str());
     texts_.show(callout->title);
     texts_.show(callout->text, TextInk::quiet);
   }
   for (const Ask* ask : session.questions()) {
-    heading("Answer");
+    heading(said(words::kAnswer).c_str());
     if (!ask->derivation) texts_.show(answer_text(session.lesson(), *ask));
     if (ask->derivation)
       for (const WorkedLine& worked : ask->derivation->worked)
@@ -291,16 +304,17 @@ Status ScreenOfSpeaker::draw(LessonSession& session, const ScreenFrame& frame) {
   const Areas areas = areas_of(frame.size);
   texts_.begin_frame(session.lesson(), session.step(), session.preferences.theme, sizes_->em);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const auto label = [&](const Region& below, const char* words, ImGuiCol color) {
+  const auto label = [&](const Region& below, const Phrase& phrase, ImGuiCol color) {
+    const std::string said(phrase.in(session.lesson().about.language));
     list.AddText(bold_control_font(), sizes_->em, {below.x, below.y - 1.5F * sizes_->em},
-                 ImGui::GetColorU32(color), words);
+                 ImGui::GetColorU32(color), said.c_str());
   };
   if (session.is_black())
-    label(areas.page, "The audience's screen is black", ImGuiCol_NavHighlight);
+    label(areas.page, words::kScreenIsBlack, ImGuiCol_NavHighlight);
   else if (session.is_frozen())
-    label(areas.page, "Before you alone: the audience still sees what it saw", ImGuiCol_NavHighlight);
+    label(areas.page, words::kBeforeYouAlone, ImGuiCol_NavHighlight);
   else
-    label(areas.page, "Before the audience", ImGuiCol_Text);
+    label(areas.page, words::kBeforeAudience, ImGuiCol_Text);
   // What is not what the audience sees has a frame that one cannot overlook.
   if (session.is_frozen() || session.is_black()) {
     const float width = std::max(3.0F, std::round(0.3F * sizes_->em)), half = 0.5F * width;
@@ -308,13 +322,16 @@ Status ScreenOfSpeaker::draw(LessonSession& session, const ScreenFrame& frame) {
     list.AddRect({at.x - half, at.y - half}, {at.x + at.width + half, at.y + at.height + half},
                  ImGui::GetColorU32(ImGuiCol_NavHighlight), 0, 0, width);
   }
-  draw_scene_chip(session, {}, false, figure_in(areas.page), *sizes_);
-  label(areas.next, session.next_place() ? "Next" : "This is the last step", ImGuiCol_Text);
+  ChipPlace upper_right;
+  draw_scene_chip(session, {}, {}, false, figure_in(areas.page), *sizes_, upper_right);
+  label(areas.next, session.next_place() ? words::kComesNext : words::kIsLastStep, ImGuiCol_Text);
   draw_notes(session, areas.notes);
   draw_outline(session, areas.outline);
   draw_controls(session, areas.controls);
   point(session, areas.page);
-  audience_.draw_notices({0, 0, areas.page.width, areas.page.y + areas.page.height}, sizes_->padding);
+  // Over the list's last rows: the page is what is spoken about.
+  audience_.draw_notices({0, 0, areas.outline.width, areas.outline.y + areas.outline.height},
+                         sizes_->padding);
   ImGui::Render();
 
   picture_->bind();

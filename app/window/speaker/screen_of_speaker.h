@@ -56,8 +56,9 @@ class ScreenOfSpeaker {
   std::optional<ControlSizes> sizes_;
   std::optional<Theme> theme_;
   std::optional<StepPlace> shown_place_;
-  bool pointer_is_left_ = false;       ///< since a step came or a button was pressed it has not moved
-  std::optional<StepPlace> outlined_;  ///< where the outline was scrolled to
+  std::optional<float> controls_height_;  ///< of the buttons and the clock, px, as the last frame had it
+  bool pointer_is_left_ = false;          ///< since a step came or a button was pressed it has not moved
+  std::optional<StepPlace> outlined_;     ///< where the outline was scrolled to
   double clock_s_ = 0, begun_s_ = 0;
 };
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The panel of questions: its formulas, and whose the keys are beside it.
 #include "app/session/answers/answer_log.h"
+#include "lessons/reader/questions/state_task.h"
 #include "tests/app/window/screen_harness.h"
 
 #include <gmock/gmock.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace polhode {
 namespace {
@@ -24,6 +26,18 @@ class QuestionsPanelTest : public ScreenTest {
             return *ask;
           }
     throw std::runtime_error("no such question");
+  }
+
+  /// Of the button below the question, whatever it says; where there is none nothing is pressed.
+  int hints_after_a_press(const Ask& ask) {
+    session.panel = Panel::question;
+    frame(3);
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+      if (window->Active && std::string_view(window->Name).starts_with("panel/contents"))
+        ImGui::ActivateItem(ImHashStr("###hint", 0, ImHashStr(ask.id.c_str(), 0, window->ID)));
+    frame(3);
+    const AnswerRecord* record = session.record(ask);
+    return record == nullptr ? 0 : record->hints;
   }
 
   void expect_hints_by_enter(std::string_view id) {
@@ -478,6 +492,16 @@ TEST_F(QuestionsPanelTest, InASmallWindowThePanelGivesWayToTheMotionThatAnswers)
   ASSERT_TRUE(session.is_awaited(ask));
   EXPECT_FALSE(is_drawn());
   EXPECT_GT(screen->page().page().figure.width(), 200);
+  session.set_playing(false);
+  draw();
+  EXPECT_TRUE(is_drawn()) << "what rests is not hidden by it";
+  session.set_playing(true);
+  session.panel = Panel::outline;
+  draw();
+  EXPECT_TRUE(is_drawn()) << "another one was asked for";
+  session.panel = Panel::question;
+  draw();
+  EXPECT_FALSE(is_drawn());
   session.end_play();
   draw();
   EXPECT_TRUE(is_drawn()) << "with the verdict";
@@ -516,6 +540,120 @@ TEST_F(QuestionsPanelTest, AnExpressionIsSetAsItIsTyped) {
   ImGui::GetIO().AddInputCharactersUTF8("^2");
   frame(3);
   EXPECT_EQ(screen->texts().count(), before + 2);
+}
+
+// 2026-11-28: "A hint" stood below "Right." where a state was asked for.
+TEST_F(QuestionsPanelTest, WhoHasAnsweredAStateIsOfferedNoHint) {
+  const Ask& ask = go_to_question("apart");
+  ASSERT_TRUE(ask.task && !ask.hints.empty());
+  const SteeredState& solution = ask.task->solution;
+  ASSERT_TRUE(solution.w0_B);
+  ASSERT_TRUE(session.set_edits({.w0_B = solution.w0_B}));
+  ASSERT_EQ(session.answer(ask, text_of(solution)).mark, AnswerJudgement::Mark::right);
+  session.show_hint(ask);
+  const int hints = session.record(ask)->hints;
+  EXPECT_EQ(hints_after_a_press(ask), hints);
+  session.answer(ask, "omega = [1, 1, 1]");
+  EXPECT_EQ(hints_after_a_press(ask), hints) << "the motion is the one that was right";
+  session.reset_edits();
+  session.forget_answer(ask);
+  EXPECT_EQ(hints_after_a_press(ask), 1) << "who has not is";
+}
+
+// 2026-11-28: the notice that asks for an answer stood there after it.
+TEST_F(QuestionsPanelTest, AnswerFirstGoesWithTheAnswerAndBeforeAnAudience) {
+  const Ask& ask = go_to_question("no-torque");
+  frame(2);
+  screen->press(session, "Right");
+  frame(2);
+  ASSERT_THAT(screen->notice(), testing::HasSubstr("Answer first"));
+  session.answer(ask, "A");
+  frame(2);
+  EXPECT_EQ(screen->notice(), "");
+  session.forget_answer(ask);
+  session.go_to({0, 0});
+  frame(2);
+  go_to_question("no-torque");
+  frame(2);
+  screen->press(session, "Right");
+  frame(2);
+  ASSERT_THAT(screen->notice(), testing::HasSubstr("Answer first"));
+  session.set_presenting(true);
+  frame(2);
+  EXPECT_EQ(screen->notice(), "");
+}
+
+/// The lowest row of the panel in which something is drawn.
+int lowest_ink(const Image& image) {
+  constexpr int kLeft = 960, kRight = 1240, kEnd = 744;
+  for (int row = kEnd; row > 0; --row)
+    for (int at = kLeft + 1; at < kRight; ++at)
+      if (std::memcmp(image.pixel(at, row), image.pixel(kLeft, kEnd), 4) != 0) return row;
+  return 0;
+}
+
+// 2026-11-28: the buttons below the line that says whose the keys are moved as it changed.
+TEST_F(QuestionsPanelTest, TheButtonsStandWhoeverHasTheKeys) {
+  go_to_question("hold-steady");
+  for (const double scale : {1.0, 1.2}) {
+    session.preferences.text_scale = scale;
+    session.panel = Panel::none;
+    frame(2);
+    screen->press(session, "Q");
+    frame(5);
+    ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+    const int typing = lowest_ink(screen->read());
+    ASSERT_GT(typing, 300);
+    screen->press(session, "Escape");
+    frame(4);
+    ASSERT_FALSE(ImGui::GetIO().WantTextInput);
+    EXPECT_EQ(lowest_ink(screen->read()), typing) << "keys go to the page, " << scale;
+    screen->press(session, "F6");
+    frame(4);
+    EXPECT_EQ(lowest_ink(screen->read()), typing) << "keys go to the panel, " << scale;
+    screen->press(session, "F6");
+    frame(2);
+  }
+}
+
+// 2026-11-28: at 200 % "right" stood between two choices, where one took two lines.
+TEST_F(QuestionsPanelTest, TheMarkOfAChoiceStandsAtItsFirstLine) {
+  const auto draw = [&] {
+    for (int i = 0; i < 3; ++i)
+      ASSERT_TRUE(screen->draw(session, {.size = {1280, 1600}, .scale = 2, .seconds = 0.02}));
+  };
+  constexpr double kEnd = 1400;  // above the bar
+  int seen = 0;
+  for (bool more = true; more && seen == 0; more = session.next_step()) {
+    const std::vector<const Ask*> asked = session.questions();
+    if (asked.empty() || !picks_choice(asked.front()->type)) continue;
+    draw();
+    const std::vector<Page::Choice> choices = screen->page().page().choices;
+    double line = 1e9;
+    for (const Page::Choice& choice : choices) line = std::min(line, choice.box.height());
+    for (const Page::Choice& choice : choices) {
+      if (choice.box.y1 > kEnd || choice.box.height() < 1.7 * line) continue;
+      const Image before = screen->read();
+      session.answer(*choice.ask, std::string(1, letter_of_choice(choice.number)));
+      session.end_play();
+      draw();
+      const Image marked = screen->read();
+      const auto differs = [&](double y0, double y1) {
+        int count = 0;
+        for (int row = static_cast<int>(y0); row < static_cast<int>(y1); ++row)
+          for (int at = 0; at < static_cast<int>(choice.box.x0) - 8; ++at)
+            count += std::memcmp(marked.pixel(at, row), before.pixel(at, row), 4) != 0;
+        return count;
+      };
+      const int upper = differs(choice.box.y0, choice.box.y0 + line),
+                lower = differs(choice.box.y0 + line + 1, choice.box.y1);
+      EXPECT_GT(upper, 100) << session.stage().id;
+      EXPECT_LT(lower, upper / 10) << session.stage().id << ": no more than what is below the line of a g";
+      ++seen;
+      break;
+    }
+  }
+  EXPECT_EQ(seen, 1);
 }
 
 }  // namespace

@@ -1116,5 +1116,40 @@ TEST_F(ScreenTest, ShowHasAPictureOfEachOverlayThatIsSeenOneAFrame) {
   EXPECT_EQ(screen->overlay_pictures().count(), before) << "they are kept";
 }
 
+// 2026-11-28: beside an open panel the chip lay over what the figure shows.
+TEST_F(ScreenTest, TheChipOfAChangeHasOneLineBesideAPanelAndHidesNoName) {
+  session.go_to({0, 0});
+  SceneEdits edits;
+  edits.w0_B = Vec3(0.3, 1, 0.2);
+  ASSERT_TRUE(session.set_edits(edits));
+  session.panel = Panel::body;
+  frame(4);
+  const ImGuiWindow* chip = ImGui::FindWindowByName("changed-scene");
+  ASSERT_TRUE(chip != nullptr && chip->Active);
+  EXPECT_LT(chip->Size.y, 2 * ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y) << "one line";
+  const ImRect at = chip->Rect();
+  const PixelBox box{at.Min.x, at.Min.y, at.Max.x, at.Max.y};
+  for (const PixelBox& name : screen->page().type_beside_text()) EXPECT_EQ(box.overlap(name), 0);
+  EXPECT_LE(box.x1, screen->page().page().figure.x1);
+}
+
+// 2026-11-28: at 200 % the list of stages scrolled within a panel that scrolled.
+TEST_F(ScreenTest, NothingThatScrollsIsWithinAnother) {
+  for (const Panel panel : {Panel::outline, Panel::method, Panel::show, Panel::question, Panel::save}) {
+    session.panel = panel;
+    for (const Size size : {Size{1280, 960}, Size{1280, 800}, Size{800, 560}}) {
+      for (int i = 0; i < 4; ++i)
+        ASSERT_TRUE(
+            screen->draw(session, {.size = size, .scale = size.height > 900 ? 2.0 : 1.0, .seconds = 0.02}));
+      for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+        if (!window->Active || window->ScrollMax.y <= 0) continue;
+        const ImGuiWindow* around = window->ParentWindow;
+        EXPECT_FALSE(around != nullptr && around->Active && around->ScrollMax.y > 0)
+            << window->Name << ", " << size.width;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace polhode

@@ -195,6 +195,26 @@ TEST_F(SpeakerTest, IsToldWhatTheAudienceIsNot) {
   EXPECT_EQ(session.place(), (StepPlace{1, 0}));
 }
 
+// 2026-11-28: what was told lay over the page, and the list of stages had three rows and a half.
+TEST_F(SpeakerTest, WhatIsToldLeavesThePageAndTheListHasRows) {
+  both();
+  screen->press_from_afar(session, "2", false);
+  ImGui::SetCurrentContext(screen->imgui());
+  frame();
+  ImGui::SetCurrentContext(speaker->imgui());
+  constexpr float kRows = 8;
+  for (const Size size : {Size{1278, 760}, Size{1280, 800}, Size{960, 800}, Size{683, 768}}) {
+    for (int i = 0; i < 4; ++i)
+      ASSERT_TRUE(speaker->draw(session, {.size = size, .scale = 1, .seconds = 0.02}));
+    const ImGuiWindow *told = ImGui::FindWindowByName("strip"), *walk = ImGui::FindWindowByName("walk"),
+                      *list = ImGui::FindWindowByName("outline");
+    ASSERT_TRUE(told != nullptr && told->Active && walk != nullptr && list != nullptr);
+    EXPECT_GE(told->Rect().Min.y, walk->Rect().Max.y) << size.width;
+    const float row = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
+    EXPECT_GE(list->InnerRect.GetHeight(), kRows * row) << size.width;
+  }
+}
+
 TEST_F(SpeakerTest, CountsTheTime) {
   const double before_s = speaker->elapsed_s();
   both(50);
