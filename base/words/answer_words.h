@@ -42,6 +42,9 @@ inline constexpr Phrase kIsInFigure{"It is in the figure", "Es ist in der Abbild
 // On a figure that shows something else than the lesson's scene.
 inline constexpr Phrase kChanged{"changed", "geändert"};
 inline constexpr Phrase kChangedByHand{"changed by hand", "von Hand geändert"};
+inline constexpr Phrase kUndo{"Undo", "Rückgängig"};
+inline constexpr Phrase kBackToLessons{"Back to the lesson's", "Zurück zur Lektion"};
+inline constexpr Phrase kBackToShown{"Back to what was shown", "Zurück zum Gezeigten"};
 inline constexpr Phrase kBodyOfFailure{"a body for which it fails: {0}",
                                        "ein Körper, für den es nicht gilt: {0}"};
 inline constexpr Phrase kBodyOfFailureChanged{

@@ -22,13 +22,6 @@ namespace polhode {
 
 namespace {
 
-bool is_to_be_dragged(const LessonSession& session) {
-  const std::vector<const Ask*> asks = session.questions();
-  return !session.is_aside() && std::any_of(asks.begin(), asks.end(), [](const Ask* ask) {
-    return ask->task && ask->task->change.contains(Steered::omega);
-  });
-}
-
 std::string words_at_tip(const LessonSession& session, TipHand hand) {
   const Language language = session.lesson().about.language;
   if (hand == TipHand::away) return std::string(words::kDrag.in(language));
@@ -112,6 +105,13 @@ float width_of_button(const std::string& words) {
 }
 
 }  // namespace
+
+bool is_to_be_dragged(const LessonSession& session) {
+  const std::vector<const Ask*> asks = session.questions();
+  return !session.is_aside() && std::any_of(asks.begin(), asks.end(), [](const Ask* ask) {
+    return ask->task && ask->task->change.contains(Steered::omega);
+  });
+}
 
 double TakenOnFigure::hidden_by(const PixelBox& box) const {
   constexpr double kOfNames = 100;  // a name is worth so much of a body's surface
@@ -248,9 +248,12 @@ void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets,
   }
   const ImGuiStyle& style = ImGui::GetStyle();
   const bool is_aside = session.is_aside();
-  const std::vector<std::string> buttons = is_aside
-                                               ? std::vector<std::string>{"Back to what was shown"}
-                                               : std::vector<std::string>{"Undo", "Back to the lesson's"};
+  const auto said = [&](const Phrase& phrase) {
+    return std::string(phrase.in(session.lesson().about.language));
+  };
+  const std::vector<std::string> buttons =
+      is_aside ? std::vector<std::string>{said(words::kBackToShown)}
+               : std::vector<std::string>{said(words::kUndo), said(words::kBackToLessons)};
   const float room = figure.width - 2 * sizes.padding - 2 * style.WindowPadding.x;
   float of_buttons = 0;
   for (const std::string& button : buttons) of_buttons += width_of_button(button) + style.ItemSpacing.x;

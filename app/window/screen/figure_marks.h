@@ -36,6 +36,9 @@ std::size_t clearest(const std::vector<PixelBox>& boxes, const TakenOnFigure& ta
 std::vector<std::pair<double, double>> ring_beside(const Vec2& at, double radius,
                                                    const std::vector<PixelBox>& names);
 
+/// Whether a question of the step asks for another ω, while the lesson's body is shown.
+bool is_to_be_dragged(const LessonSession& session);
+
 /// What the words at a tip keep clear of, besides arrows.
 struct AroundTip {
   PixelBox room{};                ///< of the figure

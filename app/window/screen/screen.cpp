@@ -585,9 +585,8 @@ void Screen::lay_out_sliders(LessonSession& session) {
                        : drag_.is_near_untaken() ? TipHand::untaken
                                                  : TipHand::away;
   AroundTip around{.room = {at.x0, at.y0, static_cast<double>(right), at.y1}, .place = &place_at_tip_};
-  if (hand == TipHand::away)
-    place_at_tip_ = 0;
-  else
+  if (hand == TipHand::away) place_at_tip_ = 0;
+  if (hand != TipHand::away || (is_to_be_dragged(session) && !session.is_moving()))
     around.names = page_->type_beside_text();
   draw_drag_marks(session, page_->insets(), hand, around, *sizes_);
   if (right - left < kRoomOfButton * sizes_->em) return;

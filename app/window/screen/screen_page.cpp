@@ -112,10 +112,10 @@ bool Screen::use_questions(LessonSession& session, bool on_page) {
     const PixelBox& box = question->box;
     const double top = std::max(box.y0, page_->page().ceiling);
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    ImGui::GetBackgroundDrawList()->AddRect({static_cast<float>(box.x0), static_cast<float>(top)},
-                                            {static_cast<float>(box.x1), static_cast<float>(box.y1)},
-                                            ImGui::GetColorU32(ImGuiCol_CheckMark), 0.3F * sizes_->em, 0,
-                                            0.1F * sizes_->em);
+    const float left = static_cast<float>(box.x0) - 0.35F * sizes_->em;  // clear of the type
+    ImGui::GetBackgroundDrawList()->AddRect(
+        {left, static_cast<float>(top)}, {static_cast<float>(box.x1), static_cast<float>(box.y1)},
+        ImGui::GetColorU32(ImGuiCol_CheckMark), 0.3F * sizes_->em, 0, 0.1F * sizes_->em);
   }
   if (!io.MouseClicked[0] || (choice == nullptr && question == nullptr)) return false;
   if (choice != nullptr) {
