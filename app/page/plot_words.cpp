@@ -4,6 +4,7 @@
 #include "app/narration/number_text.h"
 #include "app/page/figure_place.h"
 #include "base/words/formula_words.h"
+#include "base/words/page_words.h"
 #include "base/words/speech_words.h"
 #include "render/drawing/plots/meter_plots.h"
 

@@ -59,7 +59,8 @@ inline constexpr Phrase kReached{"Reached: {0}.", "Erreicht: {0}."};
 inline constexpr Phrase kReachedAtStart{"Reached: at t = 0 it is {0}.", "Erreicht, für t = 0: {0}."};
 inline constexpr Phrase kTooSmall{"{0}, {1} too small", "{0}, um {1} zu klein"};
 inline constexpr Phrase kTooLarge{"{0}, {1} too large", "{0}, um {1} zu groß"};
-inline constexpr Phrase kNotDefined{"not defined on this motion", "bei dieser Bewegung nicht definiert"};
+inline constexpr Phrase kNotDefinedOnThis{"not defined on this motion",
+                                          "bei dieser Bewegung nicht definiert"};
 inline constexpr Phrase kChangedToo{"Changed too: {0}. This question is about the lesson's.",
                                     "Ebenfalls geändert: {0}. Die Frage gilt dem Stand der Lektion."};
 inline constexpr Phrase kTheMethod{"the method", "das Verfahren"};

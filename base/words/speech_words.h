@@ -97,7 +97,6 @@ inline constexpr Phrase kTheNote{"the note \"{0}\"{1}", "die Notiz „{0}“{1}"
 // Plots: what they show against what, and how each curve goes.
 inline constexpr Phrase kAgainstFromTo{"against {0} from {1} to {2}. ", "über {0} von {1} bis {2}. "};
 inline constexpr Phrase kFromTo{"from {0} to {1}. ", "von {0} bis {1}. "};
-inline constexpr Phrase kAtMost{"at most {0}", "höchstens {0}"};
 inline constexpr Phrase kStaysAt{"stays at {0}", "bleibt bei {0}"};
 inline constexpr Phrase kRises{"rises from {0} to {1}", "steigt von {0} auf {1}"};
 inline constexpr Phrase kFalls{"falls from {0} to {1}", "fällt von {0} auf {1}"};

@@ -67,6 +67,20 @@ TEST(Sources, KeepTheArrowsThroughTheirHeaders) {
     ADD_FAILURE() << finding.file << ':' << finding.line << ": " << finding.message;
 }
 
+// 2026-11-28: two headers had a kNotDefined, in other words each, and the linker took either.
+TEST(Sources, DefineEachPhraseOnce) {
+  static const std::regex kDefined(R"(\b(k[A-Z]\w*)(\{| =|\[))");
+  std::map<std::string, std::string> where;
+  for (const Source& file : sources({".h"})) {
+    if (!file.path.starts_with("base/words/")) continue;
+    for (std::sregex_iterator name(file.text.begin(), file.text.end(), kDefined), end; name != end; ++name) {
+      const auto [first, is_new] = where.emplace((*name)[1].str(), file.path);
+      EXPECT_TRUE(is_new) << (*name)[1] << " stands in " << first->second << " and in " << file.path;
+    }
+  }
+  EXPECT_GT(where.size(), 100u) << "looked in " << test::source_dir();
+}
+
 TEST(Sources, FollowEachArrow) {
   for (const Finding& finding : unused_arrows(texts_by_path()))
     ADD_FAILURE() << finding.file << ": " << finding.message;

@@ -154,7 +154,7 @@ RichText words_of_goal(const Lesson& lesson, const StateGoal& goal) {
 
 /// "35.2°, 4.8° too small"
 std::string words_of_reading(const StateGoal& goal, const GoalReading& reading, Language language) {
-  if (!reading.value) return std::string(words::kNotDefined.in(language));
+  if (!reading.value) return std::string(words::kNotDefinedOnThis.in(language));
   const auto number = [&](double value) { return with_decimals(value_text(goal, value), language); };
   const std::string is = number(*reading.value);
   if (reading.is_reached) return is;
