@@ -232,7 +232,7 @@ class LessonSession {
   /// The audience goes on seeing what it saw, while the speaker looks elsewhere: only beside a speaker's
   /// window.
   bool is_frozen() const { return frozen_; }
-  void set_frozen(bool frozen) { frozen_ = has_speaker_ && frozen; }
+  void set_frozen(bool frozen);
   /// A spot on the audience's page that follows the mouse: only while presenting.
   bool is_pointing() const { return pointing_; }
   void set_pointing(bool pointing) { pointing_ = presenting_ && pointing; }
@@ -265,6 +265,9 @@ class LessonSession {
   void arrive(StepPlace place);
   void leave_answered();
   void forget_counterexamples();
+  /// An audience sees a question as it is asked: what was tried before it came, or while it saw nothing of
+  /// it.
+  void forget_trials();
   DerivationWork& found_derivation(const Ask& ask) const;
   void show_lesson_scene();
   Scene scene_with(const SceneEdits& edits) const;

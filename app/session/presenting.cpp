@@ -11,7 +11,10 @@ namespace polhode {
 void LessonSession::set_presenting(bool presenting) {
   if (presenting != presenting_) {
     has_speaker_ = black_ = frozen_ = pointing_ = false;
-    if (presenting) panel = Panel::none;
+    if (presenting) {
+      panel = Panel::none;
+      forget_trials();
+    }
   }
   presenting_ = presenting;
 }
@@ -20,6 +23,21 @@ void LessonSession::set_speaker(bool wanted) {
   if (wanted) set_presenting(true);
   has_speaker_ = wanted;
   frozen_ = frozen_ && wanted;
+}
+
+void LessonSession::set_frozen(bool frozen) {
+  if (frozen_ && !frozen) forget_trials();
+  frozen_ = has_speaker_ && frozen;
+}
+
+void LessonSession::forget_trials() {
+  if (judged_.empty() && derivations_.empty() && !awaited_) return;
+  const bool has_played = !judged_.empty() || awaited_;
+  if (awaited_) playing_ = false;
+  judged_.clear();
+  derivations_.clear();
+  awaited_.reset();
+  if (has_scene() && has_played) reset_time();
 }
 
 void LessonSession::set_left_out(const std::set<std::string>& stages) {

@@ -49,15 +49,18 @@ std::string on_lines(std::string_view text, float width,
   return lines + line;
 }
 
-void Notices::tell(const std::string& text, double clock_s) {
+void Notices::tell(const std::string& text) {
   text_ = text;
-  told_s_ = clock_s;
-  until_s_ = clock_s + kSeconds;
+  until_s_.reset();
+}
+
+void Notices::begin_frame(double clock_s) {
+  if (!until_s_) until_s_ = clock_s + kSeconds;
 }
 
 std::optional<double> Notices::seconds_left(double clock_s) const {
-  if (text_.empty() || clock_s >= until_s_) return std::nullopt;
-  return until_s_ - clock_s;
+  const double left_s = until_s_ ? *until_s_ - clock_s : kSeconds;
+  return text_.empty() || left_s <= 0 ? std::nullopt : std::optional(left_s);
 }
 
 void Notices::draw(const Region& page, Theme theme, float padding, double clock_s) const {

@@ -20,9 +20,12 @@ std::string on_lines(std::string_view text, float width,
 
 class Notices {
  public:
-  void tell(const std::string& text, double clock_s);
+  void tell(const std::string& text);
   const std::string& told() const { return text_; }  ///< last
-  double told_at_s() const { return told_s_; }       ///< by the clock
+  /// Whether no frame has begun since it was told.
+  bool is_new() const { return !until_s_; }
+  /// What is told is told from the frame on that shows it, however long nobody did anything before.
+  void begin_frame(double clock_s);
   void set_lesson_errors(std::string errors) { lesson_errors_ = std::move(errors); }
   void set_page_error(std::string error) { page_error_ = std::move(error); }
 
@@ -33,7 +36,7 @@ class Notices {
 
  private:
   std::string text_, lesson_errors_, page_error_;
-  double told_s_ = 0, until_s_ = 0;  ///< of the clock
+  std::optional<double> until_s_;  ///< of the clock; nothing: it is new
 };
 
 }  // namespace polhode

@@ -403,7 +403,7 @@ void Screen::type_ahead(LessonSession& session) {
 Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   const double begun_s = now_s();
   ImGui::SetCurrentContext(imgui_);
-  const double last_s = std::exchange(clock_s_, clock_s_ + frame.seconds);
+  clock_s_ += frame.seconds;
   session.advance(was_moving_ ? std::min(frame.seconds, kLongestFrame_s) : 0);  // rest is no time that passes
   adopt_style(session, frame);
   if (shown_place_ != session.place()) {
@@ -415,10 +415,11 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     held_back_.reset();
     choice_in_focus_.reset();
     has_menu_ = false;  // what it offers is of the step before, and so is what was told
-    if (notices_.told_at_s() < last_s) tell("");
+    if (!notices_.is_new()) tell("");
   }
   if (notices_.told() == kAnswerFirst && held_back_ != session.place()) tell("");
   if (notices_.told() == kAnswerFirst && (session.is_presenting() || !has_open_prediction(session))) tell("");
+  notices_.begin_frame(clock_s_);
   if (session.is_black()) has_menu_ = false;  // nothing of it is seen
   stage_title_ = speech_->words_of_title(session.stage());
   if (!stage_title_.empty() && stage_title_.back() == '.') stage_title_.pop_back();
@@ -474,11 +475,11 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   return success();
 }
 
-/// As it is when it is frozen, before anything else is shown.
+/// As it is when it is frozen, before anything else is shown; a step that is just coming in comes in first.
 Status Screen::keep_for_audience(const LessonSession& session) {
   is_black_ = session.is_black();
   if (!session.is_frozen()) frozen_.reset();
-  if (!session.is_frozen() || frozen_) return success();
+  if (!session.is_frozen() || frozen_ || session.transition() < 1) return success();
   auto made = Framebuffer::create(*gl_, picture_->size(), 0);
   if (!made) return failure(made.error());
   frozen_ = std::move(made).value();

@@ -53,7 +53,7 @@ class Screen {
   bool is_full() const { return is_full_; }
 
   /// Shown in a strip above the bar: an error of the lesson until it is mended, news for a few seconds.
-  void tell(const std::string& text) { notices_.tell(text, clock_s_); }
+  void tell(const std::string& text) { notices_.tell(text); }
   /// What lessons there are: asked for when a panel first lists them.
   void set_lessons(std::function<std::vector<LessonProgress>()> lessons) {
     find_lessons_ = std::move(lessons);

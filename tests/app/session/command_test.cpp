@@ -2,6 +2,7 @@
 #include "app/session/command.h"
 
 #include "tests/app/session/example_lesson.h"
+#include "tests/app/session/quiz_lesson.h"
 #include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
@@ -169,6 +170,29 @@ TEST(Command, OpensOnePanelAtATimeAndLeavesWhatIsOnTop) {
   EXPECT_EQ(session.lit(), "omega");
   press("Escape");
   EXPECT_EQ(session.lit(), "");
+}
+
+// 2026-11-28: what the speaker had tried stood on the page as "right" when the audience came to see it.
+TEST(Command, AnAudienceSeesAQuestionAsItIsAsked) {
+  LessonSession session(test::quiz());
+  const auto answered = [&]() -> const Ask& {
+    const Ask& ask = *session.questions().front();
+    session.answer(ask, "w1");
+    EXPECT_NE(session.judged(ask), nullptr);
+    return ask;
+  };
+  const Ask& before = answered();
+  session.set_presenting(true);
+  EXPECT_EQ(session.judged(before), nullptr);
+  EXPECT_NE(session.record(before), nullptr) << "that it was tried is known all the same";
+  session.set_speaker(true);
+  session.set_frozen(true);
+  const Ask& meanwhile = answered();
+  session.set_frozen(false);
+  EXPECT_EQ(session.judged(meanwhile), nullptr);
+  const Ask& in_public = answered();
+  session.set_speaker(false);
+  EXPECT_NE(session.judged(in_public), nullptr);
 }
 
 // The speaker's window comes with presenting and goes with it, and stays where one goes on.

@@ -174,6 +174,26 @@ TEST_F(SpeakerTest, LooksElsewhereWhileTheAudienceSeesWhatItSaw) {
   EXPECT_FALSE(session.is_frozen()) << "nobody could look elsewhere";
 }
 
+// 2026-11-28: the audience saw letters half faded in, one above the other, for as long as the page was
+// frozen.
+TEST_F(SpeakerTest, AStepThatIsComingInComesInBeforeItIsFrozen) {
+  session.preferences.reduced_motion = false;
+  both();
+  ASSERT_TRUE(screen->press_from_afar(session, "Right", false));
+  both(1);
+  ASSERT_TRUE(screen->press_from_afar(session, "H", false));
+  both(1);
+  EXPECT_LT(session.transition(), 1);
+  both(100);
+  EXPECT_EQ(session.transition(), 1);
+  EXPECT_TRUE(session.is_frozen());
+  const Image frozen = screen->for_audience().read();
+  EXPECT_EQ(frozen.rgba, screen->read().rgba);
+  ASSERT_TRUE(screen->press_from_afar(session, "Left", false));
+  both();
+  EXPECT_EQ(screen->for_audience().read().rgba, frozen.rgba);
+}
+
 TEST_F(SpeakerTest, CountsWhatIsForThisClass) {
   both();
   const Image all = speaker->read();
