@@ -74,11 +74,13 @@ std::string moment_words(const Scene& scene, const Vec3& w_B, double t_s) {
   return text + '.';
 }
 
-/// Instants so close that between two of them nothing turns by half a round.
+/// Instants so close that between two of them nothing turns by half a round; none where that would be too
+/// many.
 std::vector<double> instants(const SceneModel& model, double from_s, double to_s) {
   constexpr double kStepsPerRadian = 8.0, kLeast = 64.0, kMost = 20000.0;
   const double turned = model.scene.w0_B.stableNorm() * std::abs(to_s - from_s);
-  const double steps = std::clamp(std::ceil(kStepsPerRadian * turned), kLeast, kMost);
+  const double steps = std::max(std::ceil(kStepsPerRadian * turned), kLeast);
+  if (!(steps <= kMost)) return {};
   std::vector<double> times;
   for (int i = 0; i <= static_cast<int>(steps); ++i) times.push_back(std::lerp(from_s, to_s, i / steps));
   return times;

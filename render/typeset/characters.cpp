@@ -54,6 +54,14 @@ Script script_of(char32_t c) {
   return {};
 }
 
+char32_t curled(char32_t mark, char32_t before) {
+  if (mark != U'\'' && mark != U'"') return mark;
+  constexpr std::u32string_view kBeforeOpening = U" \n([{\u2013\u2014\u2018\u201C";
+  const bool opens = kBeforeOpening.find(before) != std::u32string_view::npos;
+  if (mark == U'"') return opens ? 0x201C : 0x201D;
+  return opens ? 0x2018 : 0x2019;
+}
+
 std::string code_point_name(char32_t c) {
   std::string digits;
   for (; c > 0 || digits.size() < 4; c >>= 4) digits.insert(digits.begin(), "0123456789ABCDEF"[c & 0xF]);

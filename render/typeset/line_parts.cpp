@@ -149,7 +149,7 @@ class PartMaker {
         if (into.empty() || into.back().kind == Element::Kind::line_end || into.back().character == U' ')
           continue;
       } else {
-        if (!span.code) element.character = curled(c, into);
+        if (!span.code) element.character = curled(c, character_before(into));
         check_character(element);
         if (element.character >= 0x80) choose_face(element, into);
       }
@@ -157,15 +157,10 @@ class PartMaker {
     }
   }
 
-  /// A straight quotation mark opens after a space, a bracket or a dash, and closes after anything else.
-  static char32_t curled(char32_t c, const std::vector<Element>& before) {
-    if (c != U'\'' && c != U'"') return c;
-    constexpr std::u32string_view kBeforeOpening = U" ([{\u2013\u2014\u2018\u201C";
-    const bool opens = before.empty() || before.back().kind == Element::Kind::line_end ||
-                       (before.back().kind == Element::Kind::character &&
-                        kBeforeOpening.find(before.back().character) != std::u32string_view::npos);
-    if (c == U'"') return opens ? 0x201C : 0x201D;
-    return opens ? 0x2018 : 0x2019;
+  /// At the beginning of a line as behind a space; 0 is none, that of a formula.
+  static char32_t character_before(const std::vector<Element>& before) {
+    if (before.empty() || before.back().kind == Element::Kind::line_end) return U' ';
+    return before.back().kind == Element::Kind::character ? before.back().character : 0;
   }
 
   void check_character(Element& e) {

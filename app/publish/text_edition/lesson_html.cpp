@@ -6,6 +6,7 @@
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "render/palette.h"
+#include "render/typeset/characters.h"
 #include "render/typeset/line_formulas.h"
 #include "render/typeset/math/mathml.h"
 #include "render/typeset/math/tree.h"
@@ -105,36 +106,39 @@ bool begins_with_place(std::string_view text) {
   return (digits == 1 || digits == 2) && !goes_on;
 }
 
-/// A straight quotation mark opens after a space or a bracket, and closes after anything else.
-std::string_view curled(char mark, std::string_view before) {
-  const bool opens =
-      before.empty() || std::string_view(" \n([").find(before.back()) != std::string_view::npos;
-  if (mark == '"') return opens ? "\u201C" : "\u201D";
-  return opens ? "\u2018" : "\u2019";
-}
+constexpr char32_t kBegin = U' ', kFormula = 0;  // what stands before a text
 
 /// Words as they are set: no line breaks between a number and its unit, nor within that, nor between "axis"
-/// and "3"; quotation marks are curled. `before` is what stands before them in the line; a formula there may
-/// be a number.
-std::string as_set(std::string_view text, std::string_view before, bool is_behind_formula) {
+/// and "3"; quotation marks are curled. `last` is the character before them; a formula there may be a number.
+std::string as_set(std::string_view text, char32_t last) {
   constexpr std::string_view kNoBreak = "\u00A0";
+  const auto is_ascii = [](char32_t c, bool (*is)(char)) { return c < 0x80 && is(static_cast<char>(c)); };
   std::string set;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const char c = text[at];
-    if (c == '\'' || c == '"') {
-      set += curled(c, at > 0 ? text.substr(0, at) : is_behind_formula ? "$" : before);
-      continue;
-    }
-    const bool is_behind_number = at > 0 ? is_digit(text[at - 1]) : is_behind_formula;
-    const std::string_view behind = text.substr(at + 1);
-    const std::size_t unit = c == ' ' && is_behind_number ? unit_at(behind) : 0;
-    const bool is_before_place = c == ' ' && at > 0 && is_letter(text[at - 1]) && begins_with_place(behind);
-    set += unit > 0 || is_before_place ? kNoBreak : text.substr(at, 1);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = at;
+    const char32_t c = next_character(text, at);
+    const std::string_view behind = text.substr(at);
+    const bool is_behind_number = last == kFormula || is_ascii(last, is_digit);
+    const std::size_t unit = c == U' ' && is_behind_number ? unit_at(behind) : 0;
+    const bool is_before_place = c == U' ' && is_ascii(last, is_letter) && begins_with_place(behind);
+    if (unit > 0 || is_before_place)
+      set += kNoBreak;
+    else if (const char32_t curly = curled(c, last); curly != c)
+      append_utf8(set, curly);
+    else
+      set += text.substr(begin, at - begin);
     for (const char of_unit : behind.substr(0, unit))
       set += of_unit == ' ' ? kNoBreak : std::string_view(&of_unit, 1);
     at += unit;
+    last = unit > 0 ? U'm' : c;
   }
   return set;
+}
+
+char32_t last_of(std::string_view text) {
+  std::size_t at = text.size();
+  while (at > 0 && !starts_character(text[--at])) continue;
+  return text.empty() ? kBegin : next_character(text, at);
 }
 
 /// The lists that are open, one in an item of the other.
@@ -282,14 +286,13 @@ std::string LessonHtml::note_mark(const TextSpan& span) const {
   return {};
 }
 
-std::string LessonHtml::span(const TextSpan& span, std::string_view before, bool is_behind_formula) const {
+std::string LessonHtml::span(const TextSpan& span, std::string_view before, char32_t last) const {
   std::string html;
   if (span.kind == TextSpan::Kind::math) {
     html = formula_in_line(span.math, span.text, before);
   } else {
     html = note_mark(span);
-    if (html.empty())
-      html = html_escaped(span.code ? span.text : as_set(span.text, before, is_behind_formula));
+    if (html.empty()) html = html_escaped(span.code ? span.text : as_set(span.text, last));
   }
   if (span.code) html = "<code>" + html + "</code>";
   if (span.italic) html = "<em>" + html + "</em>";
@@ -307,7 +310,7 @@ std::string LessonHtml::spans(const std::vector<TextSpan>& all) const {
     const std::size_t first = i;
     for (; i < all.size() && (i == first || (!address.empty() && all[i].link == link)); ++i) {
       const bool is_behind_formula = i > 0 && all[i - 1].kind == TextSpan::Kind::math;
-      html += span(all[i], before, is_behind_formula);
+      html += span(all[i], before, is_behind_formula ? kFormula : last_of(before));
       before = all[i].kind == TextSpan::Kind::math ? "" : before + all[i].text;
       if (all[i].break_after) html += "<br/>\n";
     }
@@ -373,7 +376,7 @@ std::string LessonHtml::line(std::string_view words) const {
   const auto add_words = [&](std::string_view plain) {
     std::string text(plain);
     for (std::size_t at = 0; (at = text.find("\\$", at)) != text.npos; ++at) text.erase(at, 1);
-    html += html_escaped(as_set(text, "", !html.empty()));
+    html += html_escaped(as_set(text, html.empty() ? kBegin : kFormula));
   };
   std::size_t at = 0;
   for (const SourceSpan& found : formulas_of_line(words)) {

@@ -63,7 +63,7 @@ class LessonHtml {
 
  private:
   std::string spans(const std::vector<TextSpan>& spans) const;
-  std::string span(const TextSpan& span, std::string_view before, bool is_behind_formula) const;
+  std::string span(const TextSpan& span, std::string_view before, char32_t last) const;
   std::string formula(const Math& math, std::string_view tex, bool display, const std::string& words) const;
   std::string tex_to_copy(const Math& math, std::string_view tex) const;
   std::string reference_alone(const Math& math) const;

@@ -2,6 +2,7 @@
 #include "app/publish/text_edition/question_html.h"
 
 #include "app/narration/number_text.h"
+#include "app/narration/state_line.h"
 #include "base/words/edition_words.h"
 #include "base/words/page_words.h"
 #include "lessons/claims/expressions/expression_tex.h"
@@ -163,23 +164,10 @@ class QuestionHtml {
     for (const StateGoal& goal : ask_.task->goals)
       html += fmt::format("<li>{}: {}</li>\n", html_.line(goal.words()),
                           html_escaped(range_of(goal, language())));
-    return html + "</ul>\n<p>" + words::kForExampleTyped.with(language(), {solution()}) + "</p>\n";
-  }
-
-  /// As it is printed, ω = (4.8, 0, 12) rad/s; attitudes, torques and times as they are typed.
-  std::string solution() const {
-    const SteeredState& state = ask_.task->solution;
-    if (state.attitude || state.torque || state.t_s)
-      return "<code>" + html_escaped(text_of(state)) + "</code>";
-    const auto list = [](const Vec3& v) {
-      return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x(), v.y(), v.z());
-    };
-    std::string line;
-    if (state.w0_B) line = "$\\vec\\omega = " + list(*state.w0_B) + "$\u00A0rad/s";
-    if (state.moments)
-      line +=
-          (line.empty() ? "" : "; ") + ("$(I_1, I_2, I_3) = " + list(*state.moments)) + "$\u00A0kg\u00A0m²";
-    return html_.line(line);
+    return html + "</ul>\n<p>" +
+           words::kForExampleTyped.with(language(),
+                                        {html_.line(state_line(ask_.task->solution, language()))}) +
+           "</p>\n";
   }
 
   const LessonHtml& html_;

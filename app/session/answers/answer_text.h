@@ -44,8 +44,4 @@ ToldVerdict told_verdict(const Ask& ask, std::string_view text, const AnswerJudg
 /// has it. Empty of nothing.
 RichText given_text(const StateTask& task, Language language);
 
-/// "\vec\omega = (1.5,\, 0,\, 0.45)\,\mathrm{rad/s}" and the like, of each part that the state has, four
-/// digits each: a line with formulas between dollars, parted by semicolons. Empty of nothing.
-std::string line_of(const SteeredState& state, Language language = Language::en);
-
 }  // namespace polhode

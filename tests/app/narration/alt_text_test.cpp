@@ -85,6 +85,15 @@ TEST(AltText, MomentsCountRoundsAboutL) {
       "once.");
 }
 
+// A million turns would have to be looked at too often: fewer looks count others than there are.
+TEST(AltText, MomentsCountNoRoundsThatAreTooMany) {
+  Scene scene = rolling();
+  scene.body = {"plate", PrincipalMoments(1, 1, 2), std::nullopt};
+  scene.show = {Overlay::shape, Overlay::L};
+  scene.w0_B = {0.04, 0, 1};
+  EXPECT_THAT(moment_in_words(make_model(scene), {}, 0.0, 1e6, 1e6), HasSubstr("Axis 3 of the body points"));
+}
+
 TEST(AltText, MomentsCallAxesByTheirNamesInTheFigure) {
   Scene scene = rolling();
   scene.body = {"plate", PrincipalMoments(1, 1, 2), std::nullopt};

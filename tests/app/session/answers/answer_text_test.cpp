@@ -38,21 +38,6 @@ TEST(AnswerText, LinesHaveTheirFormulas) {
   EXPECT_EQ(written(in_a_row(words_text("a"), words_text("b"))), "ab");
 }
 
-TEST(AnswerText, StatesHaveUnits) {
-  const double third = 1.0 / 3;
-  EXPECT_EQ(line_of({.w0_B = Vec3(1.5, 0, -third)}),
-            "$\\vec\\omega = (1.5,\\ 0,\\ -0.3333)\\,\\text{rad/s}$");
-  EXPECT_EQ(line_of({.moments = Vec3(1.75, 1.75, 2.5), .t_s = 3.55}),
-            "$(I_1,\\ I_2,\\ I_3) = (1.75,\\ 1.75,\\ 2.5)\\,\\text{kg m²}$; $t = 3.55\\,\\text{s}$");
-  EXPECT_EQ(line_of({.torque = SpaceTorque{Vec3(0, 2e-5, 0)}}),
-            "$\\vec N = (0,\\ 2{\\cdot}10^{-5},\\ 0)\\,\\text{N m}$ along the axes of space");
-  EXPECT_EQ(line_of({.attitude = Quat(Eigen::AngleAxisd(std::acos(0.0), Vec3::UnitX()))}),
-            "$(\\varphi,\\ \\theta,\\ \\psi) = (0,\\ 90,\\ 0)\\text{°}$");
-  EXPECT_EQ(line_of({}), "");
-  for (const char* line : {"$\\vec\\omega = (1.5,\\ 0,\\ -0.3333)\\,\\text{rad/s}$"})
-    EXPECT_EQ(line_text(line).front().spans.front().kind, TextSpan::Kind::math) << "it can be set";
-}
-
 TEST(AnswerText, AnswersAreFormulasChoicesAndNumbers) {
   const Lesson& lesson = test::loaded_lesson("euler-equations")->lesson;
   const auto first_line = [](const std::string& text) { return text.substr(0, text.find('\n')); };
@@ -110,9 +95,6 @@ TEST(AnswerText, AnswersAreInTheLanguageOfTheLesson) {
   EXPECT_NE(written(answer_text(lesson, asked(lesson, "middle-sign"))).find(", eingegeben `"),
             std::string::npos);
   EXPECT_NE(written(answer_text(lesson, asked(lesson, "grown-error"))).find(','), std::string::npos);
-  EXPECT_EQ(line_of({.w0_B = Vec3(1.5, 0, -0.25)}, Language::de),
-            "$\\vec\\omega = (1{,}5;\\ 0;\\ -0{,}25)\\,\\text{rad/s}$");
-  EXPECT_EQ(line_of({.attitude = LPoints::up}, Language::de), "$\\vec L$ aufrecht");
 }
 
 // 2026-11-28: "Given, at t = 0" had the ω that the reader had dragged.
