@@ -28,6 +28,13 @@ bool take_last_word(std::string_view& text, std::string_view word) {
   return true;
 }
 
+/// An adverb says nothing about a number: it goes if it is there.
+template <typename Take>
+void take_adverb(const Take& take) {
+  for (const std::string_view word : kAdverbs)
+    if (take(word)) return;
+}
+
 }  // namespace
 
 std::vector<TextSpan> clause_before(const std::vector<TextSpan>& line, std::size_t at) {
@@ -64,7 +71,7 @@ std::optional<Relation> take_verb(std::vector<TextSpan>& clause) {
   if (std::any_of(kNearly.begin(), kNearly.end(), take))
     relation = Relation::approximate;
   else
-    std::any_of(kAdverbs.begin(), kAdverbs.end(), take);
+    take_adverb(take);
   const bool is_of_length = std::any_of(kOfLength.begin(), kOfLength.end(), take);
   if (!is_of_length && std::none_of(kVerbs.begin(), kVerbs.end(), take)) return std::nullopt;
   text = std::string(rest);
@@ -114,10 +121,10 @@ std::optional<bool> take_between(std::vector<TextSpan>& clause) {
   std::string_view rest = without_blanks(all);
   const auto take = [&](std::string_view word) { return take_last_word(rest, word); };
   if (!take("between")) return std::nullopt;
-  std::any_of(kAdverbs.begin(), kAdverbs.end(), take);
+  take_adverb(take);
   const bool is_of_all_times = std::any_of(kOfAllTimes.begin(), kOfAllTimes.end(), take);
   if (!is_of_all_times && !take("is")) return std::nullopt;
-  std::any_of(kAdverbs.begin(), kAdverbs.end(), take);
+  take_adverb(take);
   clause.back().text = std::string(rest);
   return is_of_all_times;
 }
@@ -152,7 +159,7 @@ std::optional<Relation> take_verb_at_start(std::vector<TextSpan>& clause) {
   if (std::none_of(kVerbs.begin(), kVerbs.end(), take)) return std::nullopt;
   const Relation relation =
       std::any_of(kNearly.begin(), kNearly.end(), take) ? Relation::approximate : Relation::equal;
-  if (relation == Relation::equal) std::any_of(kAdverbs.begin(), kAdverbs.end(), take);
+  if (relation == Relation::equal) take_adverb(take);
   const std::string text(rest);
   clause.front().text = text;
   return relation;
