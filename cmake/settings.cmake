@@ -44,9 +44,12 @@ if(POLHODE_CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(polhode_settings INTERFACE -fpch-preprocess)
 endif()
 # With precompiled headers GCC no longer knows std::string for a header of the system, and takes "text" + std::string for an
-# overflow (GCC bug 105651).
+# overflow (GCC bug 105651), newer versions also for an index out of bounds.
 if(POLHODE_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(polhode_settings INTERFACE -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict)
+  if(CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+    target_compile_options(polhode_settings INTERFACE -Wno-array-bounds)
+  endif()
 endif()
 # What is released is hardened as Debian hardens its packages: checked copies and a guarded stack; code at addresses that
 # nobody can foresee, and tables of other libraries' functions that nobody can write to. The program reads lessons, pictures

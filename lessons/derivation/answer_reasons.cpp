@@ -109,7 +109,7 @@ AnswerJudgement judge_with_reasons(const Question& question, std::string_view an
   if (question.type != Question::Type::expression)
     return judge_answer(question, answer, prover, &how.notation->vocabulary);
   auto read = read_typed_answer(without_asked_side(question, answer, how), how);
-  if (!read) return unreadable(std::move(read.error()));
+  if (!read) return unreadable(read.error());
   const Expression& expression = read->expression;
   AnswerJudgement judgement = judge_expression(question, expression, prover);
   const bool is_short = expression.nodes.size() <= kMostNodes;
