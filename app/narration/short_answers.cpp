@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/short_answers.h"
 
+#include "app/narration/state_line.h"
 #include "base/ascii.h"
-#include "base/numbers.h"
 #include "base/words/page_words.h"
 #include "lessons/claims/answers/number_answer.h"
 #include "lessons/claims/expressions/expression_tex.h"
 #include "lessons/reader/questions/state_task.h"
 
-#include <fmt/format.h>
-
 #include <string_view>
-#include <variant>
 
 namespace polhode {
 
@@ -29,26 +26,9 @@ bool is_read_at_a_glance(std::string_view state) {
   return !state.empty() && state.size() <= kMostCharacters;
 }
 
-std::string vector_tex(const Vec3& v) {
-  constexpr int kDigits = 6;  // more than a state has that is told
-  return fmt::format("({},\\,{},\\,{})", digits(v.x(), kDigits), digits(v.y(), kDigits),
-                     digits(v.z(), kDigits));
-}
-
 /// Empty: it would be no answer that one reads.
-std::string state_in_short(const SteeredState& state) {
-  if (state.attitude || !is_read_at_a_glance(text_of(state))) return {};
-  std::string text;
-  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-  if (state.w0_B) add("$\\vec\\omega = " + vector_tex(*state.w0_B) + "$ rad/s");
-  if (state.moments) add("$(I_1,\\,I_2,\\,I_3) = " + vector_tex(*state.moments) + "$ kg m²");
-  if (state.torque) {
-    const bool is_of_space = std::holds_alternative<SpaceTorque>(*state.torque);
-    add("$\\vec N = " + vector_tex(components_of(*state.torque)) + "$ N m in " +
-        (is_of_space ? "$S$" : "$S^*$"));
-  }
-  if (state.t_s) add("$t = " + digits(*state.t_s, 6) + "$ s");
-  return text;
+std::string state_in_short(const SteeredState& state, Language language) {
+  return state.attitude || !is_read_at_a_glance(text_of(state)) ? "" : state_line(state, language);
 }
 
 std::string answer_in_short(const Lesson& lesson, const Ask& ask) {
@@ -63,8 +43,8 @@ std::string answer_in_short(const Lesson& lesson, const Ask& ask) {
         language);
   }
   if (ask.task) {
-    const std::string state = state_in_short(ask.task->solution);
-    return state.empty() ? state : words::kForExample.with(language, {with_decimals(state, language)});
+    const std::string state = state_in_short(ask.task->solution, language);
+    return state.empty() ? state : words::kForExample.with(language, {state});
   }
   std::string letters;
   for (const int answer : ask.answers) {

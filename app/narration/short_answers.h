@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-/// "step 2, B; step 4, 0.25 J; step 7, for example $\vec\omega = (1.5, 0, 0.45)$ rad/s", as set_lines() of
+/// "step 2, B; step 4, 0.25 J; step 7, for example " and a state (state_line.h), as set_lines() of
 /// render/typeset/paragraph.h sets it; empty where nothing is asked. Of an order the letters from the first
 /// to the last. Derivations are left out, for their lines are the text's own, and so are states whose numbers
 /// have many digits, or that have an attitude.

@@ -46,7 +46,7 @@ TEST(ShortAnswers, TellAStateAsAFormula) {
   const std::string words = "Words.\n\n```scene\nshow = [\"omega\"]\n```\n\n";
   const Lesson few = lesson_of(words + state("omega = [0.9, -1.25, 2]"));
   EXPECT_EQ(short_answers(few, few.stages[0]),
-            "step 1, for example $\\vec\\omega = (0.9,\\,-1.25,\\,2)$ rad/s");
+            "step 1, for example $\\vec\\omega = (0.9,\\ -1.25,\\ 2)\\,\\text{rad/s}$");
   const Lesson many = lesson_of(words + state("omega = [0.9123456, 0, 2]"));
   EXPECT_EQ(short_answers(many, many.stages[0]), "") << "nobody reads seven digits";
   const Lesson turned = lesson_of(words + state("omega = [0, 0, 2], attitude = [0, 1, 0, 0]"));
