@@ -5,6 +5,7 @@
 #include "lessons/reader/scene/scene_keys.h"
 #include "lessons/reader/scene/scene_values.h"
 #include "physics/body/pivot.h"
+#include "render/scene/model/scene_problem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,14 +32,28 @@ Body or_throw(Result<Body> body) {
   return std::move(body).value();
 }
 
+template <class T>
+bool leaves(const T& value, const std::optional<T>& edit) {
+  return !edit || *edit == value;
+}
+
+bool includes(const std::vector<View>& views, const std::vector<View>& others) {
+  return std::all_of(others.begin(), others.end(),
+                     [&](View view) { return std::find(views.begin(), views.end(), view) != views.end(); });
+}
+
 /// A caption speaks of the lesson's motion as it is computed there, and of what is seen of it; nobody knows
-/// whether it is true of another.
+/// whether it is true of another. What is shown besides makes nothing false: another view, a ghost, more
+/// arrows; but with the plane comes another attitude, where none is stated.
 bool may_keep_caption(const Scene& lesson, const SceneEdits& edits) {
-  const bool same_motion = !edits.body && !edits.w0_B && !edits.attitude && !edits.torque &&
-                           (!edits.motion || *edits.motion == lesson.motion);
-  const bool same_look =
-      edits.on == OverlaySet{} && edits.off == OverlaySet{} && (!edits.views || *edits.views == lesson.views);
-  return same_motion && same_look;
+  MotionSpec motion = edits.motion.value_or(lesson.motion);
+  motion.ghost = motion.ghost && lesson.motion.ghost;
+  const bool turns = edits.on.contains(Overlay::plane) && !lesson.attitude && !edits.attitude;
+  const bool same_motion = leaves(lesson.body, edits.body) && leaves(lesson.w0_B, edits.w0_B) &&
+                           leaves(attitude_spec(lesson), edits.attitude) &&
+                           leaves(lesson.torque, edits.torque) && motion == lesson.motion && !turns;
+  return same_motion && edits.off == OverlaySet{} &&
+         includes(edits.views.value_or(lesson.views), lesson.views);
 }
 
 void show(OverlaySet& shown, const SceneEdits& edits) {
@@ -80,6 +95,7 @@ void keep_pace(Scene& scene, const Vec3& w_before) {
 }  // namespace
 
 Scene edited(Scene scene, const SceneEdits& edits) {
+  const bool keeps_caption = may_keep_caption(scene, edits);
   const CameraSpec lesson_camera = scene.camera;
   std::vector<SceneEdits> of_others;
   for (const Scene& other : scene.beside) of_others.push_back(edits_beside(edits, scene, other));
@@ -97,7 +113,7 @@ Scene edited(Scene scene, const SceneEdits& edits) {
     scene.rate.reset();
     scene.duration_s.reset();
   }
-  if (!may_keep_caption(scene, edits)) leave_out_caption(scene);
+  if (!keeps_caption) leave_out_caption(scene);
   if (edits.body) scene.body = or_throw(on_its_pivot(*edits.body, scene.torque));
   const Vec3 w_before = scene.w0_B;
   replace(scene.w0_B, edits.w0_B);

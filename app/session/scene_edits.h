@@ -31,13 +31,14 @@ struct SceneEdits {
 };
 
 /// The scene with the edits in it. A caption speaks of the lesson's motion, its method, and what the lesson
-/// shows of it from where: another has none. ω and the attitude of the lesson stay with another body; L keeps
-/// pointing down where the plane, which had it so, is hidden. A body of a shape hangs on the pivot of the
-/// lesson's heavy torque, if there is one (physics/body/pivot.h). A method that cannot serve the body or
-/// torque is left to make_model to refuse. Scenes beside it are looked at as it is. One that shows the same
-/// start goes along with it: body, ω, attitude and torque, and the method where that is the same too. Other
-/// motions are the lesson's, and so are all beside a counterexample. Rate and duration of the lesson are not
-/// meant for an ω some hundred times smaller or larger: one turn takes 4 s then.
+/// shows of it from where: what has another, or hides some of it, has none; what shows more keeps it. ω and
+/// the attitude of the lesson stay with another body; L keeps pointing down where the plane, which had it so,
+/// is hidden. A body of a shape hangs on the pivot of the lesson's heavy torque, if there is one
+/// (physics/body/pivot.h). A method that cannot serve the body or torque is left to make_model to refuse.
+/// Scenes beside it are looked at as it is. One that shows the same start goes along with it: body, ω,
+/// attitude and torque, and the method where that is the same too. Other motions are the lesson's, and so are
+/// all beside a counterexample. Rate and duration of the lesson are not meant for an ω some hundred times
+/// smaller or larger: one turn takes 4 s then.
 /// @throws std::domain_error if the body cannot hang there
 Scene edited(Scene scene, const SceneEdits& edits);
 

@@ -63,7 +63,8 @@ TEST(SceneEdits, EachIsInTheScene) {
   EXPECT_EQ(edited(lesson_scene(), edits), expected);
 }
 
-// 2026-11-26: a caption stayed below another view, other overlays and another method.
+// 2026-11-26: a caption stayed below another view, other overlays and another method. 2026-11-29: one that
+// was true went with all that was shown besides.
 TEST(SceneEdits, ACaptionIsOfWhatTheLessonShows) {
   Scene scene = lesson_scene();
   scene.caption = "Seen from space";
@@ -71,11 +72,21 @@ TEST(SceneEdits, ACaptionIsOfWhatTheLessonShows) {
   EXPECT_TRUE(is_kept({}));
   EXPECT_TRUE(is_kept({.camera = CameraSpec{.zoom = 2}, .quality = QualityLevel::fine}));
   EXPECT_TRUE(is_kept({.motion = scene.motion, .views = scene.views})) << "the lesson's own";
+  EXPECT_TRUE(is_kept({.body = scene.body, .w0_B = scene.w0_B})) << "moved, and back";
   EXPECT_FALSE(is_kept({.views = {{View::body}}}));
-  EXPECT_FALSE(is_kept({.on = {Overlay::shape}}));
+  EXPECT_TRUE(is_kept({.views = {{View::body, View::space}}})) << "what it speaks of is seen";
+  EXPECT_TRUE(is_kept({.on = {Overlay::shape}}));
   EXPECT_FALSE(is_kept({.off = {Overlay::L}}));
+  MotionSpec with_ghost = scene.motion;
+  with_ghost.ghost = true;
+  EXPECT_TRUE(is_kept({.motion = with_ghost}));
+  with_ghost.method = Method::rk4;
+  with_ghost.step_s = 0.1;
+  EXPECT_FALSE(is_kept({.motion = with_ghost}));
   EXPECT_FALSE(is_kept({.motion = MotionSpec{.method = Method::rk4, .step_s = 0.1}}));
   EXPECT_FALSE(is_kept({.w0_B = Vec3(1, 2, 3)}));
+  scene.show.erase(Overlay::plane);
+  EXPECT_FALSE(is_kept({.on = {Overlay::plane}})) << "the body lies otherwise beside it";
 }
 
 TEST(SceneEdits, HidingThePlaneDoesNotTurnTheBodyOver) {

@@ -161,9 +161,11 @@ TEST(Undo, ACaptionOfAnotherMotionGoes) {
   session.undo();
   EXPECT_FALSE(session.model()->scene.caption.empty());
   SceneEdits edits = session.edits();
-  edits.on.insert(Overlay::labels);
+  for (int i = 0; i < kOverlayCount; ++i)
+    if (const auto shown = static_cast<Overlay>(i); session.lesson_scene().show.contains(shown))
+      edits.off.insert(shown);
   ASSERT_TRUE(session.set_edits(edits));
-  EXPECT_TRUE(session.model()->scene.caption.empty()) << "it may speak of what is seen";
+  EXPECT_TRUE(session.model()->scene.caption.empty()) << "it may speak of what is seen no more";
 }
 
 TEST(Undo, KeysGoFromFlipToFlip) {
