@@ -93,6 +93,21 @@ FigureHand::On FigureHand::take(LessonSession& session, const std::vector<Inset>
   return held_;
 }
 
+void FigureHand::let_go(LessonSession& session, const std::vector<Inset>& insets) {
+  if (std::exchange(held_, On::nothing) != On::omega || session.model() == nullptr) return;
+  const bool leaves = std::any_of(insets.begin(), insets.end(), [](const Inset& inset) {
+    const std::vector<ArrowOnScreen> arrows = arrows_on_page(inset);
+    return std::any_of(arrows.begin(), arrows.end(),
+                       [&](const ArrowOnScreen& arrow) { return !holds(inset.place, arrow.tip); });
+  });
+  CameraSpec camera = session.camera();
+  if (!leaves || !camera.fitted) return;
+  camera.fitted->w0_B.reset();
+  camera.fitted->attitude.reset();
+  if (*camera.fitted == CameraFit{camera.azimuth_rad, camera.elevation_rad}) camera.fitted.reset();
+  session.set_camera(camera);
+}
+
 std::string FigureHand::drag(LessonSession& session, const std::vector<Inset>& insets, const Vec2& at,
                              double dx, double dy, bool scales) {
   if (session.model() == nullptr) held_ = On::nothing;

@@ -31,6 +31,8 @@ class FigureHand {
   std::string drag(LessonSession& session, const std::vector<Inset>& insets, const Vec2& at, double dx,
                    double dy, bool scales = false);
   void let_go() { held_ = On::nothing; }
+  /// The same; where an arrow has been pulled out of its picture, that is fitted to what is shown now.
+  void let_go(LessonSession& session, const std::vector<Inset>& insets);
   /// Whether the tip stays well behind the pointer that holds it: no ω of its energy ends nearer to it.
   bool is_short() const { return held_ == On::omega && is_short_; }
 

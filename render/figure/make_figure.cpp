@@ -173,9 +173,11 @@ Beginning beginning_of(const Scene& scene, const CameraFit& fitted) {
 }
 
 builders::Extents held_extents(const Snapshot& m) {
-  if (m.model.framed && !m.turn) return held_extents(builders::snapshot_at(*m.model.framed, 0.0, m.view));
   const std::optional<CameraFit>& fitted = m.model.scene.camera.fitted;
-  if (fitted && fitted->w0_B && !m.turn && !frame_needs_motion(m.model.scene)) {
+  const bool is_kept = fitted && fitted->w0_B;  // of a camera that was fitted anew since, nothing is
+  if (is_kept && m.model.framed && !m.turn)
+    return held_extents(builders::snapshot_at(*m.model.framed, 0.0, m.view));
+  if (is_kept && !m.turn && !frame_needs_motion(m.model.scene)) {
     const Beginning then = beginning_of(m.model.scene, *fitted);
     return builders::extents_of(builders::snapshot_in(then.model, 0.0, m.view, then.state));
   }

@@ -14,7 +14,7 @@ std::string FigureDrag::use_mouse(LessonSession& session, const std::vector<Inse
                                   double reach) {
   using On = FigureHand::On;
   const ImGuiIO& io = ImGui::GetIO();
-  if (!io.MouseDown[0] || session.model() == nullptr) hand_.let_go();
+  if (!io.MouseDown[0] || session.model() == nullptr) hand_.let_go(session, insets);
   const bool was_near_untaken = is_near_untaken_;
   is_near_ = is_near_untaken_ = false;
   if (session.model() == nullptr) return {};

@@ -326,6 +326,29 @@ TEST_F(ScreenTest, WithShiftAHandChangesTheLengthOfOmega) {
   EXPECT_NEAR(session.t_s(), 0.4, 1e-12);
 }
 
+// 2026-11-29: with ω, L became longer, and its tip left the picture for good.
+TEST_F(ScreenTest, WhatShiftPulledOutOfThePictureIsInItWhenItIsLetGo) {
+  session.go_to({18, 1});
+  frame(3);
+  ImGui::GetIO().KeyShift = true;
+  for (int pull = 0; pull < 4; ++pull) {
+    const auto tips = omega_tips(*session.model(), session.t_s(), screen->page().insets());
+    ASSERT_FALSE(tips.empty());
+    const Vec2 tip(tips[0].x, tips[0].y), arrow = tip - Vec2(tips[0].x0, tips[0].y0);
+    const Vec2 to = tip + arrow;
+    drag(tip.x(), tip.y(), to.x(), to.y());
+    frame(2);
+    for (const Inset& inset : screen->page().insets())
+      for (const ArrowOnScreen& one : arrows_on_page(inset)) {
+        EXPECT_GE(one.tip.x(), inset.place.x) << pull;
+        EXPECT_GE(one.tip.y(), inset.place.y) << pull;
+        EXPECT_LE(one.tip.x(), inset.place.x + inset.place.width) << pull;
+        EXPECT_LE(one.tip.y(), inset.place.y + inset.place.height) << pull;
+      }
+  }
+  ImGui::GetIO().KeyShift = false;
+}
+
 // Its panel follows the hand, and the answer is what is there when Check is pressed.
 TEST_F(ScreenTest, AStateIsReachedByDraggingOmega) {
   const auto& stages = session.lesson().stages;
