@@ -4,8 +4,6 @@
 #include "base/words/answer_words.h"
 #include "render/scene/model/scene_problem.h"
 
-#include <cmath>
-
 namespace polhode {
 namespace {
 
@@ -72,19 +70,6 @@ SceneEdits put_back(SceneEdits edits, const StateTask& task) {
   edits.numbers.clear();
   edits.motion.reset();
   return edits;
-}
-
-Vec3 euler_angles(const Quat& q_SB) {
-  const Mat3 R = q_SB.normalized().toRotationMatrix();
-  const double theta = std::atan2(std::hypot(R(0, 2), R(1, 2)), R(2, 2));
-  constexpr double kUpright = 1e-9;  // rad, beside which φ is noise
-  if (std::hypot(R(0, 2), R(1, 2)) < kUpright) return {std::atan2(R(1, 0), R(0, 0)), theta, 0};
-  return {std::atan2(R(0, 2), -R(1, 2)), theta, std::atan2(R(2, 0), R(2, 1))};
-}
-
-Quat attitude_of(const Vec3& angles) {
-  const auto about = [](double angle, const Vec3& axis) { return Quat(Eigen::AngleAxisd(angle, axis)); };
-  return about(angles[0], Vec3::UnitZ()) * about(angles[1], Vec3::UnitX()) * about(angles[2], Vec3::UnitZ());
 }
 
 }  // namespace polhode

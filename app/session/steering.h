@@ -25,9 +25,4 @@ Steering steering_of(const LessonSession& session, const StateTask& task);
 /// The edits without those that the question does not offer, nor another method.
 SceneEdits put_back(SceneEdits edits, const StateTask& task);
 
-/// Euler's angles z-x-z of an attitude, φ θ ψ in rad with 0 ≤ θ ≤ π, and back: what sliders of an attitude
-/// change. At θ = 0 and π only φ ± ψ is known, and ψ is 0.
-Vec3 euler_angles(const Quat& q_SB);
-Quat attitude_of(const Vec3& phi_theta_psi);
-
 }  // namespace polhode

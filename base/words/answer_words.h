@@ -24,6 +24,7 @@ inline constexpr Phrase kShowTheAnswer{"Show the answer", "Die Antwort zeigen"};
 inline constexpr Phrase kAnswerOpening{"The answer is ", "Die Antwort ist "};
 inline constexpr Phrase kAnsweredBefore{"You have answered this one right.",
                                         "Diese Frage ist schon richtig beantwortet."};
+inline constexpr Phrase kYourRightAnswer{"Your answer was right: ", "Die Antwort war richtig: "};
 inline constexpr Phrase kEarlierInStage{"Earlier in this stage", "Früher in diesem Abschnitt"};
 inline constexpr Phrase kNotAnswered{"not answered", "nicht beantwortet"};
 inline constexpr Phrase kAnsweredRight{"answered right", "richtig beantwortet"};

@@ -10,11 +10,18 @@
 #include "lessons/claims/answers/reason_tags.h"
 #include "lessons/claims/answers/told_in_language.h"
 #include "lessons/claims/expressions/expression_tex.h"
+#include "lessons/claims/expressions/expression_variants.h"
+#include "lessons/diagnostics/source_text.h"
+#include "lessons/notation/tex_equation.h"
+#include "lessons/notation/typed/typed_formula.h"
+#include "lessons/reader/questions/line_notation.h"
 #include "render/scene/model/scene_problem.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace polhode {
 
@@ -125,6 +132,96 @@ RichText answer_text(const Lesson& lesson, const Ask& ask) {
       text = words_text(letters + '.');
   }
   return joined(std::move(text), ask.because);
+}
+
+std::optional<std::size_t> choice_named(const Ask& ask, std::string_view answer) {
+  if (answer.size() != 1 || !picks_choice(ask.type)) return std::nullopt;
+  const char c = answer.front();
+  const int choice = c >= 'a' ? c - 'a' : c >= 'A' ? c - 'A' : c - '1';
+  if (choice < 0 || choice >= static_cast<int>(ask.choices.size())) return std::nullopt;
+  return static_cast<std::size_t>(choice);
+}
+
+RichText accepted_text(const Lesson& lesson, const Ask& ask, const std::string& accepted) {
+  if (accepted.empty()) return {};
+  if (const auto choice = choice_named(ask, accepted))
+    return opened_by(std::string(1, letter_of_choice(*choice)) + ": ", ask.choice_texts[*choice]);
+  if (ask.task) {
+    const auto state = parse_state(accepted);
+    return state ? line_text(state_line(*state, lesson.about.language) + '.') : words_text(accepted);
+  }
+  if (ask.expression) {
+    const TypedFormula typed = typed_formula(accepted, line_notation(lesson, ask).names);
+    return typed.fault ? words_text(accepted) : formula_text(typed.tex);
+  }
+  return words_text(accepted);
+}
+
+namespace {
+
+/// The letters of the language of claims that a part of such a list is written with: "w1" with "omega".
+std::set<std::string> letters_of_form(std::string_view form) {
+  std::set<std::string> letters;
+  std::string word;
+  for (const char c : std::string(form) + ' ') {
+    if (is_letter(c) || is_digit(c)) {
+      word += c;
+      continue;
+    }
+    if (word == "dL") word = "L";
+    const bool is_indexed = word.size() == 2 && is_digit(word[1]);
+    const std::string name = is_indexed ? (word[0] == 'w' ? "omega" : word.substr(0, 1)) : word;
+    const std::vector<std::string> known = quantity_letters();
+    if (std::find(known.begin(), known.end(), name) != known.end()) letters.insert(name);
+    word.clear();
+  }
+  return letters;
+}
+
+/// Of a list of forms each with the sign before it, "," or ";". What is in brackets parts nothing.
+struct Form {
+  char sign = ';';
+  std::string_view text;
+};
+std::vector<Form> forms_in(std::string_view list) {
+  std::vector<Form> forms;
+  char sign = ';';
+  int depth = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= list.size(); ++i) {
+    const char c = i < list.size() ? list[i] : ';';
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (depth > 0 || (c != ',' && c != ';')) continue;
+    forms.push_back({sign, trimmed(list.substr(begin, i - begin))});
+    sign = c;
+    begin = i + 1;
+  }
+  return forms;
+}
+
+}  // namespace
+
+std::string how_to_type(const Ask& ask) {
+  const bool derives = static_cast<bool>(ask.derivation);
+  std::set<std::string> letters(ask.letters.begin(), ask.letters.end());
+  if (derives) letters = ask.derivation->letters;
+  const bool takes_rates =
+      derives || std::any_of(ask.expression->nodes.begin(), ask.expression->nodes.end(), is_rate);
+  std::string all;
+  char sign = ',';
+  for (const Form& form : forms_in(derives ? kWordsOfDerivations : kWordsOfAnswers)) {
+    if (form.sign == ';') sign = ';';
+    const bool is_of_rate = form.text.find('\'') != form.text.npos || form.text.find("/dt") != form.text.npos;
+    const std::set<std::string> used = letters_of_form(form.text);
+    const bool is_known =
+        letters.empty() || std::includes(letters.begin(), letters.end(), used.begin(), used.end());
+    if ((is_of_rate && !takes_rates) || !is_known) continue;
+    if (!all.empty()) all += std::string(1, sign) + ' ';
+    all += form.text;
+    sign = ',';
+  }
+  return all;
 }
 
 ToldVerdict told_verdict(const Ask& ask, std::string_view text, const AnswerJudgement& judgement,

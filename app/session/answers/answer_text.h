@@ -6,6 +6,8 @@
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/questions/state_task.h"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -30,6 +32,15 @@ RichText text_after(const Ask& ask, const AnswerJudgement& judgement);
 /// What is right, and why: a choice, an order of letters, a number with its unit, a formula and how it is
 /// typed, a state in numbers with their units.
 RichText answer_text(const Lesson& lesson, const Ask& ask);
+/// Which choice a letter or a number from 1 is, from 0; nothing: none.
+std::optional<std::size_t> choice_named(const Ask& ask, std::string_view answer);
+/// An answer that was right, as it was given: a formula that was typed is set, a choice has its words. Empty
+/// of nothing.
+RichText accepted_text(const Lesson& lesson, const Ask& ask, const std::string& accepted);
+
+/// How an answer of its kind is typed, without what this question refuses: other letters than it asks for,
+/// and rates where its answer has none. Precondition: it asks for an expression or a derivation.
+std::string how_to_type(const Ask& ask);
 
 /// What is said of an answer in the language of the lesson, whose reason the judgement has in English.
 struct ToldVerdict {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/panels/answer_controls.h"
 
+#include "app/session/answers/answer_text.h"
 #include "app/window/controls/widgets.h"
 #include "base/words/answer_words.h"
+#include "base/words/window_words.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace polhode {
@@ -40,16 +43,26 @@ bool text_field(PanelContext& context, const char* id, const char* form, const c
 }
 
 void say_who_has_keys(const PanelContext& context) {
-  constexpr const char* kSaid[] = {"Keys go to the answer. Escape: back to the page.",
-                                   "Keys go to this panel, Tab to the answer. F6: back to the page.",
-                                   "Keys go to the page: ← → walk, Space plays. F6: to this panel."};
+  const std::array said = {context.said(words::kKeysGoToAnswer), context.said(words::kKeysGoToPanel),
+                           context.said(words::kKeysGoToPage)};
   // The buttons below stay where they are while the pointer presses one, whoever has the keys then.
   const float top = ImGui::GetCursorPosY(), width = ImGui::GetContentRegionAvail().x;
   float tallest = 0;
-  for (const char* said : kSaid)
-    tallest = std::max(tallest, ImGui::CalcTextSize(said, nullptr, false, width).y);
-  quiet_words(kSaid[ImGui::GetIO().WantTextInput ? 0 : context.has_keys ? 1 : 2]);
+  for (const std::string& one : said)
+    tallest = std::max(tallest, ImGui::CalcTextSize(one.c_str(), nullptr, false, width).y);
+  quiet_words(said[ImGui::GetIO().WantTextInput ? 0 : context.has_keys ? 1 : 2]);
   ImGui::SetCursorPosY(top + tallest + ImGui::GetStyle().ItemSpacing.y);
+}
+
+void show_accepted(PanelContext& context, const Ask& ask) {
+  const Lesson& lesson = context.session.lesson();
+  const AnswerRecord* record = context.session.record(ask);
+  const std::string accepted = record != nullptr ? record->accepted : "";
+  const Phrase& opening = accepted.empty() ? words::kAnsweredBefore : words::kYourRightAnswer;
+  context.texts.show(
+      opened_by(std::string(opening.in(lesson.about.language)), accepted_text(lesson, ask, accepted)),
+      TextInk::right);
+  context.texts.show(ask.because, TextInk::quiet);
 }
 
 void show_it_button(PanelContext& context, const Counterexample& counter) {

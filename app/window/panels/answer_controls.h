@@ -21,6 +21,9 @@ void keep_typing(bool is_wanted);
 /// Below a field: whether keys go to it, to the panel or to the page. Takes the same room in each case.
 void say_who_has_keys(const PanelContext& context);
 
+/// Of a question that was answered right before: by what, and why it is right.
+void show_accepted(PanelContext& context, const Ask& ask);
+
 /// A button that puts the body of a counterexample into the figure; nothing where it has none to show.
 void show_it_button(PanelContext& context, const Counterexample& counter);
 

@@ -9,6 +9,7 @@
 #include "app/window/controls/control_style.h"
 #include "app/window/controls/lesson_texts.h"
 #include "app/window/controls/overlay_pictures.h"
+#include "base/words/phrase.h"
 
 #include <filesystem>
 #include <optional>
@@ -55,6 +56,9 @@ struct PanelContext {
   const Ask* typed_to = nullptr;               ///< whose field takes it; null: the first that there is
   bool has_keys = false;                       ///< keys are for the panel (Panels::has_focus)
   bool is_reached = false;                     ///< Tab has just come to the control that has the focus
+
+  Language language() const { return session.lesson().about.language; }
+  std::string said(const Phrase& phrase) const { return std::string(phrase.in(language())); }
 };
 
 /// Of the bar in a window of this width: narrow ones have two rows.

@@ -10,6 +10,7 @@
 #include "base/words/answer_words.h"
 #include "base/words/edition_words.h"
 #include "base/words/page_words.h"
+#include "base/words/window_words.h"
 #include "lessons/notation/typed/typed_formula.h"
 #include "lessons/reader/questions/line_notation.h"
 
@@ -126,14 +127,14 @@ bool is_known(const LessonSession& session, const Ask& ask) {
 
 /// Who has answered it right before, and comes back.
 void show_known(PanelContext& context, const Ask& ask) {
-  if (!is_known(context.session, ask)) return;
-  quiet_words(said(context, words::kAnsweredBefore));
-  context.texts.show(ask.because, TextInk::quiet);
+  if (is_known(context.session, ask)) show_accepted(context, ask);
 }
 
-/// "3 answers"
-std::string amount(int count, const char* of) {
-  return fmt::format("{} {}{}", count, of, count == 1 ? "" : "s");
+/// What would be forgotten: answers, lines of a derivation, or hints alone.
+const Phrase& forgotten_of(const Ask& ask, const AnswerRecord& record, bool is_one) {
+  if (record.tries == 0) return is_one ? words::kForgetOneHint : words::kForgetHints;
+  if (ask.derivation) return is_one ? words::kForgetOneLine : words::kForgetLines;
+  return is_one ? words::kForgetOneAnswer : words::kForgetSomeAnswers;
 }
 
 /// "Answered right", or what else is known of a question.
@@ -175,19 +176,19 @@ void QuestionsPanel::draw_forget(PanelContext& context, const Ask& ask) {
   if (record == nullptr) return;
   const std::string name = context.session.stage().id + '/' + ask.id;
   if (forgetting_ != name) {
-    if (ImGui::Button("Forget my answers…")) forgetting_ = name;
+    if (ImGui::Button(said(context, words::kForgetAnswers).c_str())) forgetting_ = name;
     return;
   }
   const int count = record->tries > 0 ? record->tries : record->hints;
-  const char* of = record->tries == 0 ? "hint" : ask.derivation ? "line" : "answer";
-  plain_words(fmt::format("Forget {}?", amount(count, of)));
   const bool is_one = count == 1;
-  if (ImGui::Button(is_one ? "Yes, forget it" : "Yes, forget them")) {
+  const Phrase& phrase = forgotten_of(ask, *record, is_one);
+  plain_words(is_one ? said(context, phrase) : phrase.with(language_of(context), {std::to_string(count)}));
+  if (ImGui::Button(said(context, is_one ? words::kForgetIt : words::kForgetThem).c_str())) {
     context.session.forget_answer(ask);
     forgetting_.clear();
   }
   ImGui::SameLine();
-  if (ImGui::Button(is_one ? "Keep it" : "Keep them")) forgetting_.clear();
+  if (ImGui::Button(said(context, is_one ? words::kKeepIt : words::kKeepThem).c_str())) forgetting_.clear();
 }
 
 /// As it is read: below the field in which it is typed.
@@ -260,7 +261,7 @@ void QuestionsPanel::draw_earlier(PanelContext& context, bool is_alone) {
   const StepPlace here = session.place();
   std::vector<PlacedAsk> earlier = questions_of_stage(session.lesson(), here.stage);
   std::erase_if(earlier, [&](const PlacedAsk& question) { return question.place.step >= here.step; });
-  if (is_alone) quiet_words("There is no question on this step.");
+  if (is_alone) quiet_words(said(context, words::kNoQuestion));
   if (earlier.empty()) return;
   heading(said(context, words::kEarlierInStage).c_str());
   std::optional<StepPlace> chosen;
@@ -293,13 +294,12 @@ void QuestionsPanel::draw(PanelContext& context) {
     draw_summary(context);
     draw_lessons(context);
   }
-  const auto asks_for = [&](Ask::Type type) {
-    return std::any_of(questions.begin(), questions.end(), [=](const Ask* ask) { return ask->type == type; });
-  };
-  const bool derives = asks_for(Ask::Type::derive);
-  if (derives || asks_for(Ask::Type::expression)) {  // choices are picked, not written
-    heading("How to write it");
-    quiet_words(std::string(derives ? kWordsOfDerivations : kWordsOfAnswers));
+  const auto written = std::find_if(questions.begin(), questions.end(), [](const Ask* ask) {
+    return ask->derivation || ask->expression;  // choices are picked, not written
+  });
+  if (written != questions.end()) {
+    heading(said(context, words::kHowToWrite).c_str());
+    quiet_words(how_to_type(**written));
   }
   if (!is_end) draw_earlier(context, questions.empty());
 }

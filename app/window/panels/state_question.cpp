@@ -4,12 +4,14 @@
 #include "app/session/answers/answer_text.h"
 #include "app/session/steering.h"
 #include "app/window/controls/widgets.h"
+#include "app/window/panels/answer_controls.h"
 #include "base/angles.h"
 #include "base/words/answer_words.h"
 #include "base/words/edition_words.h"
 #include "base/words/page_words.h"
 #include "lessons/claims/expressions/expression_tex.h"
 #include "physics/body/euler.h"
+#include "physics/body/euler_angles.h"
 #include "render/scene/model/scene_problem.h"
 
 #include <fmt/format.h>
@@ -107,10 +109,12 @@ class Controls {
   }
 
   void attitude() {
-    Vec3 angles = euler_angles(problem_of(now_).start.q_SB) / kRadiansPerDegree;
+    const EulerAngles now = euler_angles_of(problem_of(now_).start.q_SB);
+    Vec3 angles = Vec3(now.phi_rad, now.theta_rad, now.psi_rad) / kRadiansPerDegree;
     if (!sliders(context_, kAngles, angles, -180, 180, "{:.1f}")) return;
     angles[1] = std::clamp(angles[1], 0.0, 180.0);
-    edits_.attitude = attitude_of(angles * kRadiansPerDegree);
+    const Vec3 rad = angles * kRadiansPerDegree;
+    edits_.attitude = attitude_of({rad[0], rad[1], rad[2]});
     changed_ = true;
   }
 
@@ -144,18 +148,30 @@ class Controls {
   bool changed_ = false;
 };
 
+/// So that no line ends between a number and its unit.
+std::string kept_together(std::string words, const std::string& unit) {
+  const std::string apart = ' ' + unit;
+  for (std::size_t at = words.find(apart); !unit.empty() && at != words.npos; at = words.find(apart, at))
+    words.replace(at, 1, "\u00A0");
+  return words;
+}
+
 RichText words_of_goal(const Lesson& lesson, const StateGoal& goal) {
   const Language language = lesson.about.language;
   RichText text = goal.say.empty() ? formula_text(tex_of(goal.number.expression, &lesson.notation.vocabulary))
                                    : line_text(goal.say);
-  text = in_a_row(std::move(text), words_text((goal.is ? " = " : " ") + range_of(goal, language)));
+  text = in_a_row(std::move(text),
+                  words_text((goal.is ? " = " : " ") +
+                             kept_together(range_of(goal, language), goal.number.written.unit)));
   return opened_by(std::string(words::kGoal.in(language)), std::move(text));
 }
 
 /// "35.2°, 4.8° too small"
 std::string words_of_reading(const StateGoal& goal, const GoalReading& reading, Language language) {
   if (!reading.value) return std::string(words::kNotDefinedOnThis.in(language));
-  const auto number = [&](double value) { return with_decimals(value_text(goal, value), language); };
+  const auto number = [&](double value) {
+    return kept_together(with_decimals(value_text(goal, reading, value), language), goal.number.written.unit);
+  };
   const std::string is = number(*reading.value);
   if (reading.is_reached) return is;
   const Phrase& off = reading.off < 0 ? words::kTooSmall : words::kTooLarge;
@@ -173,29 +189,43 @@ void show_goal(PanelContext& context, const StateGoal& goal, const GoalReading& 
   reading.is_reached ? right_words(line) : plain_words(line);
 }
 
-/// The verdict stands as long as the motion is the one that was judged. True: it is right, or one was before.
-bool check(PanelContext& context, const Ask& ask, const Steering& steering) {
-  using Mark = AnswerJudgement::Mark;
+void offer_check(PanelContext& context, const Ask& ask, const Steering& steering) {
   const Language language = context.session.lesson().about.language;
   const std::string state = text_of(steering.state);
   ImGui::BeginDisabled(!steering.elsewhere.empty() || state.empty());
   if (ImGui::Button(std::string(words::kCheck.in(language)).c_str(), {-1, 0}))
     context.session.answer(ask, state);
   ImGui::EndDisabled();
+}
+
+void offer_way_back(LessonSession& session) {
+  ImGui::BeginDisabled(session.edits().empty());
+  const std::string words(words::kBackToScene.in(session.lesson().about.language));
+  if (ImGui::Button(words.c_str(), {-1, 0})) session.reset_edits();
+  ImGui::EndDisabled();
+  tooltip_of_last(told(Command::reset_scene));
+}
+
+/// It stands as long as the motion is the one that was judged. True: it is right, or one was before.
+bool show_verdict(PanelContext& context, const Ask& ask, const Steering& steering) {
+  using Mark = AnswerJudgement::Mark;
+  const Language language = context.session.lesson().about.language;
+  const std::string state = text_of(steering.state);
   const JudgedAnswer* judged = context.session.judged(ask);
   const AnswerRecord* record = context.session.record(ask);
   const bool is_of_now = judged != nullptr && judged->text == state;
   const bool is_right = is_of_now && judged->judgement.mark == Mark::right,
              was_right = !is_of_now && record != nullptr && record->right > 0;
   if (is_of_now) {
-    const std::string verdict = told_verdict(ask, judged->text, judged->judgement, language).verdict;
+    std::string verdict = told_verdict(ask, judged->text, judged->judgement, language).verdict;
+    for (const StateGoal& goal : ask.task->goals)
+      verdict = kept_together(std::move(verdict), goal.number.written.unit);
     is_right ? right_words(verdict) : warning_words(verdict);
   }
   if (is_right) {
     context.texts.show(text_after(ask, judged->judgement));
   } else if (was_right) {
-    quiet_words(std::string(words::kAnsweredBefore.in(language)));
-    context.texts.show(ask.because, TextInk::quiet);
+    show_accepted(context, ask);
   }
   return is_right || was_right;
 }
@@ -224,12 +254,10 @@ bool ask_for_state(PanelContext& context, const Ask& ask) {
   if (task.change.contains(Steered::omega) && session.model()->drawn.contains(Overlay::omega))
     quiet_words(said(words::kDragOrSlide));
   Controls(context, task).draw();
-  const bool is_settled = check(context, ask, steering);
-  ImGui::BeginDisabled(session.edits().empty());
-  if (ImGui::Button(said(words::kBackToScene).c_str(), {-1, 0})) session.reset_edits();
-  ImGui::EndDisabled();
-  tooltip_of_last(told(Command::reset_scene));
-  return is_settled;
+  // What is said of an answer comes and goes: it stands below all that is pressed.
+  offer_check(context, ask, steering);
+  offer_way_back(session);
+  return show_verdict(context, ask, steering);
 }
 
 }  // namespace polhode

@@ -116,6 +116,9 @@ class Screen {
   static void pick(LessonSession& session, const Page::Choice& choice);
   const Page::Choice* choice_at(const LessonSession& session, const Vec2& at) const;
   void draw_choices(const LessonSession& session, const Page::Choice* pointed_at) const;
+  void draw_answered(const LessonSession& session) const;
+  void draw_mark_beside(const LessonSession& session, const PixelBox& box, double baseline,
+                        bool is_right) const;
   const Page::OpenQuestion* question_at(const LessonSession& session, const Vec2& at) const;
   bool use_questions(LessonSession& session, bool on_page);
   Result<bool> show_page(LessonSession& session, const Region& region, double scale, double resolution);

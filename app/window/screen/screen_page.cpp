@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the screen lays over the page, and what a pointer does to its text: choices, scrolling, how to begin.
+#include "app/session/answers/answer_text.h"
 #include "app/session/words/step_words.h"
 #include "app/window/screen/screen.h"
 #include "base/words/page_words.h"
+#include "base/words/window_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -53,6 +55,32 @@ void Screen::pick(LessonSession& session, const Page::Choice& choice) {
   session.answer(*choice.ask, std::string(1, letter_of_choice(choice.number)));
 }
 
+namespace {
+
+/// Whether the question was answered right, now or when one was here before. An audience sees it fresh.
+bool is_answered_right(const LessonSession& session, const Ask& ask) {
+  if (session.is_awaited(ask)) return false;
+  if (const JudgedAnswer* judged = session.judged(ask))
+    return judged->judgement.mark == AnswerJudgement::Mark::right;
+  const AnswerRecord* record = session.record(ask);
+  return !session.is_presenting() && record != nullptr && record->right > 0;
+}
+
+/// Of the choice that was picked, now or when one was here before, whether it is right; nothing of the
+/// others.
+std::optional<bool> mark_of(const LessonSession& session, const Page::Choice& choice) {
+  if (session.is_awaited(*choice.ask)) return std::nullopt;
+  const bool is_right = is_answered_right(session, *choice.ask);
+  if (const JudgedAnswer* judged = session.judged(*choice.ask))
+    return judged->judgement.choice == static_cast<int>(choice.number) + 1 ? std::optional(is_right)
+                                                                           : std::nullopt;
+  const bool is_known =
+      is_right && choice_named(*choice.ask, session.record(*choice.ask)->accepted) == choice.number;
+  return is_known ? std::optional(true) : std::nullopt;
+}
+
+}  // namespace
+
 /// A frame round the one that a click would pick, and a bolder one round the one that Enter would; beside the
 /// one that was picked whether it is right, unless the motion is still to show it.
 void Screen::draw_choices(const LessonSession& session, const Page::Choice* pointed_at) const {
@@ -75,17 +103,33 @@ void Screen::draw_choices(const LessonSession& session, const Page::Choice* poin
                    ImGui::GetColorU32(&choice == reached ? ImGuiCol_NavHighlight : ImGuiCol_CheckMark),
                    0.3F * em, 0, (&choice == reached ? 0.16F : 0.1F) * em);
     }
-    const JudgedAnswer* judged = session.judged(*choice.ask);
-    const bool is_picked =
-        judged != nullptr && judged->judgement.choice == static_cast<int>(choice.number) + 1;
-    if (!is_picked || session.is_awaited(*choice.ask)) continue;
-    const bool is_right = judged->judgement.mark == AnswerJudgement::Mark::right;
-    const Phrase& phrase = is_right ? words::kMarkedRight : words::kMarkedNotRight;
-    const std::string word(phrase.in(session.lesson().about.language));
-    const double left = box.x0 - 0.9 * page_->page().scale * em - ImGui::CalcTextSize(word.c_str()).x;
-    const double ascent = ImGui::GetFont()->Ascent * em / ImGui::GetFont()->FontSize;
-    list.AddText(corner(left, first_baseline(page_->page(), box) - ascent),
-                 ImGui::GetColorU32(is_right ? ImGuiCol_PlotLines : ImGuiCol_NavHighlight), word.c_str());
+    if (const auto is_right = mark_of(session, choice))
+      draw_mark_beside(session, box, first_baseline(page_->page(), box), *is_right);
+  }
+}
+
+void Screen::draw_mark_beside(const LessonSession& session, const PixelBox& box, double baseline,
+                              bool is_right) const {
+  const float em = sizes_->em;
+  const Phrase& phrase = is_right ? words::kMarkedRight : words::kMarkedNotRight;
+  const std::string word(phrase.in(session.lesson().about.language));
+  const double left = box.x0 - 0.9 * page_->page().scale * em - ImGui::CalcTextSize(word.c_str()).x;
+  const double ascent = ImGui::GetFont()->Ascent * em / ImGui::GetFont()->FontSize;
+  ImGui::GetBackgroundDrawList()->AddText(
+      {static_cast<float>(left), static_cast<float>(baseline - ascent)},
+      ImGui::GetColorU32(is_right ? ImGuiCol_PlotLines : ImGuiCol_NavHighlight), word.c_str());
+}
+
+/// Below the word "Question", which stands beside the first line. The lines of a derivation have marks of
+/// their own.
+void Screen::draw_answered(const LessonSession& session) const {
+  const std::vector<const Ask*> asked = session.questions();
+  for (const Page::OpenQuestion& question : page_->page().open_questions) {
+    const bool is_of_step = std::find(asked.begin(), asked.end(), question.ask) != asked.end();
+    if (!is_of_step || question.ask->derivation || !is_answered_right(session, *question.ask)) continue;
+    const double line = first_baseline(page_->page(), question.box) + 1.5 * static_cast<double>(sizes_->em);
+    if (line > page_->page().ceiling + static_cast<double>(sizes_->em))
+      draw_mark_beside(session, question.box, line, true);
   }
 }
 
@@ -107,6 +151,7 @@ bool Screen::use_questions(LessonSession& session, bool on_page) {
   const Vec2 at(io.MousePos.x, io.MousePos.y);
   const Page::Choice* choice = on_page ? choice_at(session, at) : nullptr;
   draw_choices(session, choice);
+  draw_answered(session);
   const Page::OpenQuestion* question = on_page ? question_at(session, at) : nullptr;
   if (question != nullptr) {
     const PixelBox& box = question->box;
@@ -157,8 +202,7 @@ void Screen::draw_invitation(const LessonSession& session) {
                         session.panel == Panel::none && session.t_s() == still_time_s(session.lesson_scene());
   const PixelBox& column = page_->page().column;
   if (!is_new || !is_still || page_->page().overflow > 0 || column.width() <= 0) return;
-  const std::string words =
-      "Space plays, a drag turns the figure, → goes on, Ctrl+L lists the lessons, ? all keys.";
+  const std::string words(words::kHowToBegin.in(session.lesson().about.language));
   const auto width = static_cast<float>(column.width());
   const float height = ImGui::CalcTextSize(words.c_str(), nullptr, false, width).y,
               top = static_cast<float>(column.y1) - 0.2F * sizes_->em - height;

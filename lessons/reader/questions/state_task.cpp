@@ -21,10 +21,19 @@ std::string with_unit(const std::string& number, const std::string& unit) {
   return number + ' ' + unit;
 }
 
-/// A number to the tenth of what matters: of the tolerance.
-std::string to_tenth_of(double value, double tolerance) {
+/// So many decimals as show `digits` digits of it.
+int decimals_for(double value, int digits) {
+  return digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+}
+
+/// A number to the tenth of what matters: of the tolerance; but far from its goal with three digits, or so
+/// many as show two of what it is off.
+std::string number_with_digits(double value, double tolerance, const GoalReading& reading) {
   if (!(tolerance > 0)) return number_text(value);
-  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(tolerance))), 0, 12);
+  const int most = decimals_for(tolerance, 2);
+  int few = reading.value && *reading.value != 0 ? decimals_for(*reading.value, 3) : most;
+  if (!reading.is_reached && reading.off != 0) few = std::max(few, decimals_for(reading.off, 2));
+  const int decimals = std::clamp(std::min(few, most), 0, 12);
   constexpr double kMostWritten = 1e9;
   if (!(std::abs(value) < kMostWritten)) return number_text(value);
   std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
@@ -80,10 +89,6 @@ std::string range_of(const StateGoal& goal, Language language) {
                     : words::kAtMost.with(language, {text(*goal.most)});
 }
 
-std::string value_text(const StateGoal& goal, double value) {
-  return with_unit(to_tenth_of(value, tolerance_of(goal)), goal.number.written.unit);
-}
-
 double judged_time_s(const StateTask& task, double t_s) { return task.change.contains(Steered::t) ? t_s : 0; }
 
 std::vector<GoalReading> read_goals(const StateTask& task, const SceneModel& model, double t_s,
@@ -108,11 +113,15 @@ bool are_reached(const std::vector<GoalReading>& goals) {
   return std::all_of(goals.begin(), goals.end(), [](const GoalReading& goal) { return goal.is_reached; });
 }
 
+std::string value_text(const StateGoal& goal, const GoalReading& reading, double number) {
+  return with_unit(number_with_digits(number, tolerance_of(goal), reading), goal.number.written.unit);
+}
+
 std::string words_of(const StateGoal& goal, const GoalReading& reading) {
   if (!reading.value) return "not defined on this motion";
-  std::string is = value_text(goal, *reading.value);
+  std::string is = value_text(goal, reading, *reading.value);
   if (reading.is_reached) return is;
-  return is + ", " + value_text(goal, std::abs(reading.off)) +
+  return is + ", " + value_text(goal, reading, std::abs(reading.off)) +
          (reading.off < 0 ? " too small" : " too large");
 }
 

@@ -28,9 +28,6 @@ struct StateGoal {
 };
 /// "40° ± 1°", "at least 0.5 rad/s"; 0,5 where the language has it so.
 std::string range_of(const StateGoal& goal, Language language = Language::en);
-/// "39.4°", with so many digits as tell it from the goal.
-std::string value_text(const StateGoal& goal, double value);
-
 struct StateTask {
   std::vector<StateGoal> goals;  ///< all of them hold together
   SteeredParts change;           ///< what readers may change
@@ -55,6 +52,9 @@ struct GoalReading {
 std::vector<GoalReading> read_goals(const StateTask& task, const SceneModel& model, double t_s,
                                     const Effort& effort = {});
 bool are_reached(const std::vector<GoalReading>& goals);
+/// "35.2°": the value, or how far it is off, with so many digits as tell the value from the goal; far from
+/// it three of the value.
+std::string value_text(const StateGoal& goal, const GoalReading& reading, double number);
 /// "35.2°, 4.8° too small"; of what is reached "39.6°".
 std::string words_of(const StateGoal& goal, const GoalReading& reading);
 

@@ -6,8 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 namespace polhode {
 namespace {
 
@@ -75,18 +73,6 @@ TEST(Steering, TimeIsPartOfTheStateWhereItIsAskedFor) {
   session.go_to({1, 0});
   session.scrub_to(0.25);
   EXPECT_EQ(text_of(steering_of(session, *ask_of(session).task).state), "t = 0.25");
-}
-
-TEST(Steering, AnglesOfAnAttitudeGoBackAndForth) {
-  for (double phi : {-2.0, 0.3, 3.0})
-    for (double theta : {0.1, 1.5, 3.0})
-      for (double psi : {-3.0, 0.0, 1.0}) {
-        const Vec3 angles(phi, theta, psi);
-        // Of angles from a matrix: rounding by 1/sin θ, at most 10.
-        EXPECT_LT((euler_angles(attitude_of(angles)) - angles).cwiseAbs().maxCoeff(), 1e-13)
-            << angles.transpose();
-      }
-  EXPECT_LT(euler_angles(Quat::Identity()).norm(), 1e-15);
 }
 
 }  // namespace

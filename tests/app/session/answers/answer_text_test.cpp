@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace polhode {
 namespace {
 
@@ -50,6 +52,50 @@ TEST(AnswerText, AnswersAreFormulasChoicesAndNumbers) {
   const auto right = static_cast<std::size_t>(choice.answers.front() - 1);
   EXPECT_EQ(written(answer_text(lesson, choice)).substr(0, 6),
             std::string(1, letter_of_choice(right)) + ": It ");
+}
+
+// 2026-11-29: who came back to a question did not see what had been answered.
+TEST(AnswerText, WhatWasRightIsSetAsItWasGiven) {
+  const Lesson& lesson = test::loaded_lesson("euler-equations")->lesson;
+  const auto told = [&](std::string_view id, const std::string& accepted) {
+    return written(accepted_text(lesson, asked(lesson, id), accepted));
+  };
+  EXPECT_EQ(told("hold-steady", "(I3-I2) w2 w3"),
+            "$\\left(I_{3} - I_{2}\\right)\\,\\omega_{2}\\,\\omega_{3}$");
+  EXPECT_EQ(told("apart", "omega = [1.15, 0, 0.34]"),
+            "$\\vec\\omega = (1.15,\\ 0,\\ 0.34)\\,\\text{rad/s}$.");
+  for (const char* second : {"B", "b", "2"})
+    EXPECT_EQ(told("no-torque", second).substr(0, 3), "B: ") << second;
+  EXPECT_EQ(told("no-torque", ""), "");
+  EXPECT_FALSE(choice_named(asked(lesson, "no-torque"), "Z"));
+  EXPECT_FALSE(choice_named(asked(lesson, "hold-steady"), "A")) << "it has no choices";
+}
+
+// 2026-11-29: beside a question without rates stood how one writes them, which it refuses.
+TEST(AnswerText, HowToTypeOffersNothingThatTheQuestionRefuses) {
+  const Prover prover;
+  int without_rates = 0, with_letters = 0;
+  for (const char* id : test::kLessons) {
+    const Lesson& lesson = test::loaded_lesson(id)->lesson;
+    for (const Stage& stage : lesson.stages)
+      for (const Step& step : stage.steps)
+        for (const Ask* ask : blocks_of<Ask>(step)) {
+          if (!ask->expression) continue;
+          const std::string how = how_to_type(*ask);
+          EXPECT_NE(how.find("+ - * / ^"), how.npos) << how;
+          const bool takes_rates =
+              judge_answer(*ask, "w1'", prover, &lesson.notation.vocabulary).tag != "derivative";
+          EXPECT_EQ(how.find("w1'") != how.npos && !takes_rates, false) << id << ' ' << ask->id;
+          without_rates += !takes_rates;
+          with_letters += !ask->letters.empty();
+          const bool takes_torque =
+              ask->letters.empty() ||
+              std::find(ask->letters.begin(), ask->letters.end(), "N") != ask->letters.end();
+          EXPECT_EQ(how.find("N1 N2 N3") != how.npos, takes_torque) << id << ' ' << ask->id;
+        }
+  }
+  EXPECT_GT(without_rates, 3);
+  EXPECT_GT(with_letters, 0);
 }
 
 TEST(AnswerText, WhatIsSaidOfAPickIsItsReplyAndWhyItIsRight) {

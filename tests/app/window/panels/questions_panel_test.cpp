@@ -656,5 +656,87 @@ TEST_F(QuestionsPanelTest, TheMarkOfAChoiceStandsAtItsFirstLine) {
   EXPECT_EQ(seen, 1);
 }
 
+// 2026-11-29: the notes said that every question holds the next stage back.
+TEST_F(QuestionsPanelTest, WhatIsNoPredictionHoldsNothingBack) {
+  LessonSession top(test::loaded_lesson("symmetric-top"));
+  const auto& stages = top.lesson().stages;
+  int ends = 0;
+  for (std::size_t stage = 0; stage + 1 < stages.size(); ++stage) {
+    const std::vector<const Ask*> asked = blocks_of<Ask>(stages[stage].steps.back());
+    const bool predicts = std::any_of(asked.begin(), asked.end(),
+                                      [](const Ask* ask) { return ask->type == Ask::Type::predict; });
+    if (asked.empty() || predicts) continue;
+    top.go_to({stage, stages[stage].steps.size() - 1});
+    ASSERT_TRUE(screen->draw(top, {.size = kSize, .scale = 1, .seconds = 0.02}));
+    screen->press(top, "Right");
+    EXPECT_EQ(top.place(), (StepPlace{stage + 1, 0}));
+    ++ends;
+  }
+  EXPECT_GT(ends, 0);
+}
+
+// 2026-11-29: the verdict pushed the button below it from under the hand.
+TEST_F(QuestionsPanelTest, AVerdictMovesNoButtonThatChangesTheState) {
+  const Ask& ask = go_to_question("apart");
+  session.panel = Panel::question;
+  ASSERT_TRUE(session.set_edits({.w0_B = Vec3(0.1, 0.1, 1)}));
+  frame(4);
+  /// The last row of frames that go from edge to edge of the panel.
+  const auto end_of_buttons = [&] {
+    frame(3);
+    const Image image = screen->read();
+    int last = 0;
+    for (int row = 60; row < 744; ++row) {
+      int of_border = 0;
+      for (int at = 1000; at < 1200; ++at)
+        of_border += std::memcmp(image.pixel(at, row), image.pixel(1000, row), 4) == 0 &&
+                     std::memcmp(image.pixel(at, row), image.pixel(955, row), 4) != 0;
+      if (of_border == 200) last = row;
+    }
+    return last;
+  };
+  const int before = end_of_buttons();
+  ASSERT_GT(before, 300);
+  ASSERT_EQ(session.answer(ask, "omega = [0.1, 0.1, 1.0]").mark, AnswerJudgement::Mark::wrong);
+  EXPECT_EQ(end_of_buttons(), before);
+}
+
+// 2026-11-29: of an answer that was typed nothing was seen when one came back.
+TEST_F(QuestionsPanelTest, WhatWasAnsweredRightIsMarkedOnThePageWhenOneComesBack) {
+  for (const auto& [id, answer] : {std::pair("hold-steady", "w2*w3*(I3 - I2)"), std::pair("no-torque", "")}) {
+    const Ask& ask = go_to_question(id);
+    const StepPlace asked = session.place();
+    frame(3);
+    const Page& page = screen->page().page();
+    ASSERT_EQ(page.choices.empty(), page.open_questions.size() == 1);
+    const double x0 = page.choices.empty() ? page.open_questions.front().box.x0 : page.choices.front().box.x0;
+    const Image before = screen->read();
+    const auto differing = [&] {
+      const Image now = screen->read();
+      int count = 0;
+      for (int row = 0; row < 700; ++row)
+        for (int at = 0; at < static_cast<int>(x0) - 4; ++at)
+          count += std::memcmp(now.pixel(at, row), before.pixel(at, row), 4) != 0;
+      return count;
+    };
+    session.answer(
+        ask, *answer ? answer
+                     : std::string(1, letter_of_choice(static_cast<std::size_t>(ask.answers.front() - 1))));
+    session.end_play();
+    ASSERT_GT(session.record(ask)->right, 0) << id;
+    session.go_to({0, 0});
+    frame(2);
+    session.go_to(asked);
+    frame(3);
+    EXPECT_GT(differing(), 20) << id << ": \"right\" stands there";
+    session.set_presenting(true);
+    frame(3);
+    session.set_presenting(false);
+    session.forget_answer(ask);
+    frame(3);
+    EXPECT_EQ(differing(), 0) << id;
+  }
+}
+
 }  // namespace
 }  // namespace polhode

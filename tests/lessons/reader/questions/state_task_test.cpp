@@ -207,5 +207,20 @@ TEST(StateTask, ItIsSaidWhatIsToBeReachedAndChanged) {
   EXPECT_EQ(asked.front().spans.front().text, "Do it.");
 }
 
+TEST(StateGoals, AreReadWithNoMoreDigitsThanTellThemFromTheGoal) {
+  StateGoal goal;
+  goal.number.written.unit = "rad/s²";
+  goal.most = 0.03;
+  const auto told = [&](double value) {
+    const bool is_reached = value <= *goal.most;
+    return words_of(goal,
+                    {.value = value, .off = is_reached ? 0 : value - *goal.most, .is_reached = is_reached});
+  };
+  EXPECT_EQ(told(0.37069), "0.371 rad/s², 0.341 rad/s² too large");
+  EXPECT_EQ(told(76.8), "76.8 rad/s², 76.8 rad/s² too large");
+  EXPECT_EQ(told(0.0304), "0.03040 rad/s², 0.00040 rad/s² too large") << "near the goal they tell it from it";
+  EXPECT_EQ(told(0.0123456), "0.0123 rad/s²");
+}
+
 }  // namespace
 }  // namespace polhode
