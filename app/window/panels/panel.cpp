@@ -83,7 +83,7 @@ void Panels::leave_keys() { has_focus_ = takes_keys_ = shows_focus_ = awaits_tex
 
 void Panels::begin_frame() {
   method_.count_frame();
-  has_focus_ = awaits_text_ = false;
+  has_focus_ = awaits_text_ = is_held_ = false;
 }
 
 /// To what stands beside the control on its line; where there is nothing, which the next frame tells, to the
@@ -151,6 +151,7 @@ void Panels::draw(PanelContext& context, const Region& region) {
   if (before.first != now.first) ImGui::SetScrollY(0);
   draw_contents(context);
   ImGui::EndChild();
+  is_held_ = is_focused && io.MouseDown[0] && ImGui::IsAnyItemActive();
   make_edits(context);
   const float close = ImGui::GetFrameHeight();
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;

@@ -125,6 +125,8 @@ class Panels {
   bool has_focus() const { return has_focus_; }
   /// The keyboard is the panel's, and it has a text to be typed: letters beside its field are no commands.
   bool awaits_text() const { return awaits_text_; }
+  /// The mouse holds a control of it, a slider say.
+  bool is_held() const { return is_held_; }
   /// F6: from now on until the focus goes elsewhere they are for the panel of questions too. The next frame
   /// shows which of its controls has them.
   void take_keys() { takes_keys_ = shows_focus_ = true; }
@@ -160,7 +162,7 @@ class Panels {
   int beside_ = 0;
   unsigned stepped_from_ = 0;
   int frames_to_reach_ = 0;  ///< so long at most Tab may still lead to a control; 0: it is not on its way
-  bool awaits_text_ = false;
+  bool awaits_text_ = false, is_held_ = false;
 };
 
 }  // namespace polhode

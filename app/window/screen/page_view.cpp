@@ -103,6 +103,7 @@ Status PageView::compose(const LessonSession& session, const PageKey& key) {
     request.entrance = TurningInto{from_ ? &*from_ : nullptr, session.transition()};
   page_ =
       key.look.is_enlarged ? compose_picture(request, *text_, fonts) : compose_page(request, *text_, fonts);
+  hold_frame(key);
   symbols_ = symbols_on(page_.sheet, fonts);
   column_symbols_ = 0;
   figure_names_.reset();
@@ -120,6 +121,19 @@ Status PageView::compose(const LessonSession& session, const PageKey& key) {
     page_.sheet.shapes.push_back(std::move(mark));
   for (Inset& inset : page_.insets) inset.resolution = key.look.resolution;
   return success();
+}
+
+void PageView::hold_frame(const PageKey& key) {
+  Frame now{key.text.place, key.look.size, key.look.covered, key.look.is_enlarged};
+  for (const Inset& inset : page_.insets)
+    for (const Pane& pane : inset.figure.panes) now.cameras.push_back(pane.camera);
+  if (!key.look.holds_frame || !frame_.is_for(now)) {
+    frame_ = std::move(now);
+    return;
+  }
+  auto held = frame_.cameras.begin();
+  for (Inset& inset : page_.insets)
+    for (Pane& pane : inset.figure.panes) pane.camera = *held++;
 }
 
 bool PageView::reads_the_same(const TextKey& before, const TextKey& now) {

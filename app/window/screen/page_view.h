@@ -19,6 +19,7 @@ struct PageLook {
   std::optional<std::size_t> focus{};  ///< place among symbols(): has a ring
   double resolution = 1;               ///< of figures, while something moves
   bool keep_text = false;              ///< while ω is dragged: the text as it was set before
+  bool holds_frame = false;            ///< the cameras stand as they are: a hand changes the body
   double covered = 0;                  ///< px at the right edge that a panel lies over
   bool is_enlarged = false;            ///< the figure and its plots alone
   bool fits = false;                   ///< nothing is scrolled: the text is as small as it has to be
@@ -93,6 +94,7 @@ class PageView {
   static bool reads_the_same(const TextKey& before, const TextKey& now);
   static bool is_step_before(const TextKey& before, const TextKey& now);
   Status compose(const LessonSession& session, const PageKey& key);
+  void hold_frame(const PageKey& key);
   const ColumnPiece* piece_at(const Vec2& at) const;
 
   const Gl& gl_;
@@ -107,6 +109,19 @@ class PageView {
   mutable std::optional<std::vector<PageSymbol>>
       figure_names_;  ///< absent: not asked for since the page was made
   mutable std::optional<std::vector<PixelBox>> type_beside_text_;  ///< likewise
+  /// Of the figures as they were fitted last, on this page.
+  struct Frame {
+    StepPlace place;
+    Size size;
+    double covered = 0;
+    bool is_enlarged = false;
+    std::vector<Camera> cameras{};
+    bool is_for(const Frame& other) const {
+      return place == other.place && size == other.size && covered == other.covered &&
+             is_enlarged == other.is_enlarged && cameras.size() == other.cameras.size();
+    }
+  };
+  Frame frame_;
   std::size_t column_symbols_ = 0;  ///< so many of the first are scrolled; 0: none
   std::optional<Framebuffer> picture_;
 };

@@ -524,6 +524,7 @@ Result<bool> Screen::show_page(LessonSession& session, const Region& region, dou
                       .focus = symbols_.place(),
                       .resolution = resolution,
                       .keep_text = drag_.holds_omega() || varies_,
+                      .holds_frame = panels_.is_held() && !session.is_following(),
                       .covered = covered_width(session, picture_->size()),
                       .is_enlarged = session.is_enlarged()};
   auto painted = page_->show(session, look);

@@ -349,6 +349,46 @@ TEST_F(ScreenTest, WhatShiftPulledOutOfThePictureIsInItWhenItIsLetGo) {
   ImGui::GetIO().KeyShift = false;
 }
 
+// 2026-11-29: the picture was fitted anew at each movement of a slider, and nothing was seen to grow.
+TEST_F(ScreenTest, TheCameraStandsWhileASliderIsHeldAndIsFittedWhenItIsLetGo) {
+  LessonSession clay(test::loaded_lesson("symmetric-top"));
+  clay.preferences.reduced_motion = true;
+  for (std::size_t stage = 0; stage < clay.lesson().stages.size(); ++stage)
+    if (clay.lesson().stages[stage].id == "circle")
+      clay.go_to({stage, clay.lesson().stages[stage].steps.size() - 1});
+  clay.panel = Panel::question;
+  const auto show = [&](double at_x, double at_y, bool is_down) {
+    for (int i = 0; i < 3; ++i) {
+      ImGui::GetIO().MousePos = {static_cast<float>(at_x), static_cast<float>(at_y)};
+      ImGui::GetIO().MouseDown[0] = is_down;
+      ASSERT_TRUE(screen->draw(clay, {.size = kSize, .scale = 1, .seconds = 0.02}));
+    }
+  };
+  const auto camera = [&] { return screen->page().insets().front().figure.panes.front().camera; };
+  show(-1, -1, false);
+  double slider = 0;  // where a press changes a moment
+  for (double row = 250; row < 400 && slider == 0; row += 6) {
+    show(1010, row, false);
+    show(1010, row, true);
+    if (!clay.edits().empty()) slider = row;
+    show(1010, row, false);
+    clay.reset_edits();
+    show(-1, -1, false);
+  }
+  ASSERT_GT(slider, 0);
+  const Camera before = camera();
+  show(1010, slider, false);
+  for (double to = 1010; to <= 1100; to += 15) {
+    show(to, slider, true);
+    ASSERT_FALSE(clay.edits().empty());
+    EXPECT_EQ(camera().fov_y_rad, before.fov_y_rad) << to;
+    EXPECT_EQ(camera().eye, before.eye) << to;
+    EXPECT_EQ(camera().target, before.target) << to;
+  }
+  show(1100, slider, false);
+  EXPECT_TRUE(camera().fov_y_rad != before.fov_y_rad || camera().eye != before.eye);
+}
+
 // Its panel follows the hand, and the answer is what is there when Check is pressed.
 TEST_F(ScreenTest, AStateIsReachedByDraggingOmega) {
   const auto& stages = session.lesson().stages;
