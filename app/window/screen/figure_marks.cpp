@@ -275,16 +275,19 @@ void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets,
 
   const double x0 = figure.x + sizes.padding, x1 = figure.x + figure.width - sizes.padding,
                y0 = figure.y + sizes.padding, y1 = figure.y + figure.height - sizes.padding;
-  const std::vector<PixelBox> corners = {{x1 - size.x(), y0, x1, y0 + size.y()},
-                                         {x0, y0, x0 + size.x(), y0 + size.y()},
-                                         {x0, y1 - size.y(), x0 + size.x(), y1}};
+  std::vector<PixelBox> corners = {{x1 - size.x(), y0, x1, y0 + size.y()},
+                                   {x0, y0, x0 + size.x(), y0 + size.y()}};
+  // A top stands on its pivot, low in the picture.
+  if (session.model() == nullptr || !session.model()->drawn.contains(Overlay::pivot))
+    corners.push_back({x0, y1 - size.y(), x0 + size.x(), y1});
   TakenOnFigure taken = taken_on(insets, names, sizes.em);
   if (!session.variations().empty())  // whose sliders stand in the upper left corner
     taken.names.push_back(
         {x0, y0, x0 + static_cast<double>(17 * sizes.em), y0 + 4.0 * static_cast<double>(sizes.em)});
   const bool is_same = place.of.x == figure.x && place.of.y == figure.y && place.of.width == figure.width &&
                        place.of.height == figure.height;
-  if (!is_same || TakenOnFigure{.names = taken.names}.hidden_by(corners[place.corner]) > 0) {
+  if (!is_same || place.corner >= corners.size() ||
+      TakenOnFigure{.names = taken.names}.hidden_by(corners[place.corner]) > 0) {
     for (const Inset& inset : insets)
       for (const PixelBox& body : bodies_on_page(inset, static_cast<double>(0.5F * sizes.em)))
         taken.bodies.push_back(body);

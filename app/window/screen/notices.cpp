@@ -63,9 +63,27 @@ std::optional<double> Notices::seconds_left(double clock_s) const {
   return text_.empty() || left_s <= 0 ? std::nullopt : std::optional(left_s);
 }
 
-void Notices::draw(const Region& page, Theme theme, float padding, double clock_s) const {
+std::string Notices::shown(double clock_s) const {
   std::string text = page_error_.empty() ? lesson_errors_ : page_error_;
   if (seconds_left(clock_s)) text += (text.empty() ? "" : "\n\n") + text_;
+  return text;
+}
+
+std::string Notices::on_lines_of(const Region& page, float padding, const std::string& text) {
+  return on_lines(text, page.width - 7 * padding, [](std::string_view words) {
+    return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+  });
+}
+
+float Notices::height(const Region& page, float padding, double clock_s) const {
+  const std::string text = on_lines_of(page, padding, shown(clock_s));
+  if (text.empty()) return 0;
+  const float of_text = ImGui::CalcTextSize(text.c_str(), nullptr, false, page.width - 5 * padding).y;
+  return std::min(of_text + 2 * ImGui::GetStyle().WindowPadding.y, 0.6F * page.height) + 2 * padding;
+}
+
+void Notices::draw(const Region& page, Theme theme, float padding, double clock_s) const {
+  const std::string text = on_lines_of(page, padding, shown(clock_s));
   if (text.empty()) return;
   const bool is_error = !page_error_.empty() || !lesson_errors_.empty();
   const Color accent = colors_of(theme).accent;
@@ -79,11 +97,7 @@ void Notices::draw(const Region& page, Theme theme, float padding, double clock_
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs |
                    ImGuiWindowFlags_NoSavedSettings);
-  const float width = most - 3 * padding;
-  text = on_lines(text, width - 2 * padding, [](std::string_view words) {
-    return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
-  });
-  ImGui::PushTextWrapPos(width);
+  ImGui::PushTextWrapPos(most - 3 * padding);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::End();

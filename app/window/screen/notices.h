@@ -31,10 +31,15 @@ class Notices {
 
   /// Just above the lower edge of the page, no wider than the words.
   void draw(const Region& page, Theme theme, float padding, double clock_s) const;
+  /// How high it is there with what is between it and the edge; 0: nothing is told.
+  float height(const Region& page, float padding, double clock_s) const;
   /// Until what was told goes; nothing: it is gone.
   std::optional<double> seconds_left(double clock_s) const;
 
  private:
+  std::string shown(double clock_s) const;
+  static std::string on_lines_of(const Region& page, float padding, const std::string& text);
+
   std::string text_, lesson_errors_, page_error_;
   std::optional<double> until_s_;  ///< of the clock; nothing: it is new
 };

@@ -158,7 +158,8 @@ Region Screen::page_region(const LessonSession& session, Size size) const {
 float Screen::panel_height(const LessonSession& session, const Region& page) const {
   constexpr float kLeast = 14;  // em
   const auto ceiling = static_cast<float>(page_->page().ceiling);
-  if (session.panel == Panel::lessons) return page.height;
+  if (session.panel == Panel::lessons)  // what is told stands below the list
+    return page.height - notices_.height(page, sizes_->padding, clock_s_);
   if (!session.has_scene() || stands_side_by_side(whole(page)) || ceiling <= 0) return page.height;
   return std::min(page.height, std::max(ceiling, kLeast * sizes_->em));
 }

@@ -1214,5 +1214,43 @@ TEST_F(ScreenTest, NothingThatScrollsIsWithinAnother) {
   }
 }
 
+// 2026-11-29: "This is the end." lay over the list of lessons.
+TEST_F(ScreenTest, WhatIsToldAtTheEndCoversNothingOfTheList) {
+  session.go_to({session.lesson().stages.size() - 1, 99});
+  session.panel = Panel::lessons;
+  frame(4);
+  screen->press(session, "Right");
+  frame(4);
+  ASSERT_NE(screen->notice(), "");
+  const ImGuiWindow *strip = nullptr, *panel = nullptr;
+  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+    if (window->Active && std::string_view(window->Name) == "strip") strip = window;
+    if (window->Active && std::string_view(window->Name) == "panel") panel = window;
+  }
+  ASSERT_TRUE(strip != nullptr && panel != nullptr);
+  EXPECT_GE(strip->Pos.y, panel->Pos.y + panel->Size.y);
+}
+
+// 2026-11-29: it lay over the pivot of a top.
+TEST_F(ScreenTest, TheChipOfAChangeLeavesTheStandOfATop) {
+  LessonSession top(test::loaded_lesson("heavy-top"));
+  top.preferences.reduced_motion = true;
+  int seen = 0;
+  for (std::size_t stage = 0; stage < top.lesson().stages.size() && seen < 4; ++stage) {
+    top.go_to({stage, 0});
+    if (!top.has_scene() || !top.model()->drawn.contains(Overlay::pivot)) continue;
+    if (!top.set_edits({.w0_B = Vec3(1.1 * top.model()->scene.w0_B + Vec3(0, 0, 0.1))})) continue;
+    top.panel = seen % 2 == 0 ? Panel::none : Panel::body;
+    for (int i = 0; i < 4; ++i) ASSERT_TRUE(screen->draw(top, {.size = kSize, .scale = 1, .seconds = 0.02}));
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+      if (!window->Active || std::string_view(window->Name) != "changed-scene") continue;
+      const PixelBox& figure = screen->page().page().figure;
+      EXPECT_LT(window->Pos.y + window->Size.y, 0.5 * (figure.y0 + figure.y1)) << top.stage().id;
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 1);
+}
+
 }  // namespace
 }  // namespace polhode
