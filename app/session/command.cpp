@@ -2,6 +2,7 @@
 #include "app/session/command.h"
 
 #include "app/session/camera_moves.h"
+#include "base/words/window_words.h"
 #include "render/scene/model/scene_needs.h"
 
 #include <algorithm>
@@ -88,10 +89,10 @@ void toggle_ghost(LessonSession& session) {
 }
 
 /// Empty: it is to be seen.
-std::string why_no_ghost(Scene scene) {
-  if (!is_computed(scene)) return "Nothing more exact is known to stand beside it: M chooses a method.";
+std::string why_no_ghost(Scene scene, Language language) {
+  if (!is_computed(scene)) return std::string(words::kNothingMoreExact.in(language));
   scene.motion.ghost = true;
-  return requirements(scene).ghost ? "" : "Neither the body nor ω nor L is shown, whose ghost one would see.";
+  return requirements(scene).ghost ? "" : std::string(words::kNothingForGhost.in(language));
 }
 
 /// By a fiftieth of its range.
@@ -268,57 +269,59 @@ bool do_command(LessonSession& session, Command command) {
 }
 
 std::string why_idle(const LessonSession& session, Command command) {
-  if (is_of_figure(facts_of(command)) && !session.has_scene()) return "This step has no figure.";
+  const Language language = session.lesson().about.language;
+  const auto said = [language](const Phrase& phrase) { return std::string(phrase.in(language)); };
+  const std::string none;
+  if (is_of_figure(facts_of(command)) && !session.has_scene()) return said(words::kStepHasNoFigure);
   switch (command) {
     case C::next_step:
-      return session.next_place() || leads_to_lessons(session) ? "" : "This is the end.";
+      return session.next_place() || leads_to_lessons(session) ? none : said(words::kIsTheEnd);
     case C::next_stage:
-      return session.stage_beside(1) ? "" : "This is the last stage.";
+      return session.stage_beside(1) ? none : said(words::kIsLastStage);
     case C::previous_step:
-      return session.previous_place() ? "" : "This is the beginning.";
+      return session.previous_place() ? none : said(words::kIsTheBeginning);
     case C::previous_stage:
-      return session.place().step > 0 || session.stage_beside(-1) ? "" : "This is the beginning.";
+      return session.place().step > 0 || session.stage_beside(-1) ? none : said(words::kIsTheBeginning);
     case C::replay:
-      return session.preferences.reduced_motion ? "Nothing moves by itself: so it is chosen in View."
-             : session.place().step > 0         ? ""
-                                                : "This is the first step of its stage.";
+      return session.preferences.reduced_motion ? said(words::kNothingMoves)
+             : session.place().step > 0         ? none
+                                                : said(words::kIsFirstStep);
     case C::next_flip:
-      return session.flip_beside(1) ? "" : "No flip is shown behind this time.";
+      return session.flip_beside(1) ? none : said(words::kNoFlipBehind);
     case C::previous_flip:
-      return session.flip_beside(-1) ? "" : "No flip is shown before this time.";
+      return session.flip_beside(-1) ? none : said(words::kNoFlipBefore);
     case C::start_of_time:
-      return session.t_s() != 0 ? "" : "t is 0 already.";
+      return session.t_s() != 0 ? none : said(words::kIsAtZero);
     case C::faster:
-      return session.speed() < kFastest ? "" : "It is as fast as can be.";
+      return session.speed() < kFastest ? none : said(words::kIsFastest);
     case C::slower:
-      return session.speed() > kSlowest ? "" : "It is as slow as can be.";
+      return session.speed() > kSlowest ? none : said(words::kIsSlowest);
     case C::larger_number:
     case C::smaller_number:
-      return !session.variations().empty() ? "" : "This step has no number to vary.";
+      return !session.variations().empty() ? none : said(words::kNoNumberToVary);
     case C::larger_second_number:
     case C::smaller_second_number:
-      return session.variations().size() > 1 ? "" : "This step has no second number to vary.";
+      return session.variations().size() > 1 ? none : said(words::kNoSecondNumber);
     case C::ghost:
-      return why_no_ghost(session.model()->scene);
+      return why_no_ghost(session.model()->scene, language);
     case C::reset_scene:
-      return !session.edits().empty() || session.is_following() ? "" : "This is the lesson's scene.";
+      return !session.edits().empty() || session.is_following() ? none : said(words::kIsLessonsScene);
     case C::undo:
-      return session.can_undo() ? "" : "There is no change to undo.";
+      return session.can_undo() ? none : said(words::kNothingToUndo);
     case C::redo:
-      return session.can_redo() ? "" : "Nothing was undone that could be made again.";
+      return session.can_redo() ? none : said(words::kNothingToRedo);
     case C::larger_text:
-      return session.preferences.text_scale < kMostTextScale ? "" : "The text is as large as can be.";
+      return session.preferences.text_scale < kMostTextScale ? none : said(words::kTextIsLargest);
     case C::smaller_text:
-      return session.preferences.text_scale > kLeastTextScale ? "" : "The text is as small as can be.";
+      return session.preferences.text_scale > kLeastTextScale ? none : said(words::kTextIsSmallest);
     case C::normal_text:
-      return session.preferences.text_scale != 1 ? "" : "The text is at 100 %.";
+      return session.preferences.text_scale != 1 ? none : said(words::kTextIsNormal);
     case C::black:
-      return session.is_presenting() ? "" : "A black screen is for an audience: P presents.";
+      return session.is_presenting() ? none : said(words::kBlackIsForAudience);
     case C::point:
-      return session.is_presenting() ? "" : "The spot is for an audience: P presents.";
+      return session.is_presenting() ? none : said(words::kSpotIsForAudience);
     case C::freeze:
-      return session.has_speaker() ? ""
-                                   : "The page can stay while you look elsewhere in a window of your own: N.";
+      return session.has_speaker() ? none : said(words::kFreezeNeedsWindow);
     default:
       return "";
   }

@@ -9,6 +9,7 @@
 #include "app/window/speaker/speaker_window.h"
 #include "app/window/voice.h"
 #include "base/interrupt.h"
+#include "base/words/window_words.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -154,7 +155,7 @@ class Loop {
     if (words.empty()) return;
     if (read_) return voice_.be_quiet();
     const Status begun = voice_.say(words, std::string(tag_of(session_.lesson().about.language)));
-    tell(begun ? "This step is read aloud; the same key stops it." : begun.error());
+    tell(begun ? std::string(words::kIsReadAloud.in(session_.lesson().about.language)) : begun.error());
     if (begun) read_ = session_.place();
   }
 

@@ -18,6 +18,11 @@ inline constexpr Phrase kStepHasNoNote{"There is no note to this step.",
 inline constexpr Phrase kDerivationHeading{"Derivation", "Herleitung"};
 inline constexpr Phrase kPassedOver{"(passed over)", "(übersprungen)"};
 inline constexpr Phrase kElapsed{"{0} elapsed", "{0} vergangen"};
+inline constexpr Phrase kCountAgain{"Begin to count the time again", "Die Zeit von vorn zählen"};
+inline constexpr Phrase kBlack{"Black", "Schwarz"};
+inline constexpr Phrase kSpot{"Spot", "Punkt"};
+inline constexpr Phrase kFreeze{"Freeze", "Halten"};
+inline constexpr Phrase kEndOfTalk{"End", "Ende"};
 inline constexpr Phrase kFromZero{"from 0:00", "ab 0:00"};
 
 }  // namespace polhode::words

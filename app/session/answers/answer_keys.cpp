@@ -4,6 +4,7 @@
 #include "app/session/answers/answer_log.h"
 #include "app/session/command.h"
 #include "base/ascii.h"
+#include "base/words/window_words.h"
 #include "lessons/derivation/derivation.h"
 
 #include <algorithm>
@@ -39,7 +40,8 @@ std::string why_no_choice(const LessonSession& session, std::string_view key) {
   for (const Ask* ask : session.questions())
     if (is_choice && picks_choice(ask->type) && choice < ask->choices.size()) closed = ask;
   if (closed == nullptr) return {};
-  return session.is_awaited(*closed) ? "The motion answers first." : "This question is answered already.";
+  const Phrase& phrase = session.is_awaited(*closed) ? words::kMotionAnswersFirst : words::kIsAnsweredAlready;
+  return std::string(phrase.in(session.lesson().about.language));
 }
 
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/answers/progress.h"
 
-#include <fmt/format.h>
+#include "base/words/window_words.h"
 
 #include <algorithm>
 
@@ -57,19 +57,21 @@ ToRepeat to_repeat(const Lesson& lesson, const AnswerLog& answers) {
   return repeat;
 }
 
-std::string open_words(const QuestionCount& count) {
+std::string open_words(const QuestionCount& count, Language language) {
   std::string words;
-  const auto add = [&](int number, const char* of) {
-    if (number > 0) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", number, of);
+  const auto add = [&](int number, const Phrase& phrase) {
+    if (number > 0) words += (words.empty() ? "" : ", ") + phrase.with(language, {std::to_string(number)});
   };
-  add(count.asked - count.answered, "not answered");
-  add(count.answered - count.right, "not yet right");
+  add(count.asked - count.answered, words::kCountNotAnswered);
+  add(count.answered - count.right, words::kCountNotYetRight);
   return words;
 }
 
-std::string words_of(const QuestionCount& count) {
-  const std::string right = fmt::format("{} of {} right", count.right, count.asked);
-  return count.answered == count.right ? right : fmt::format("{}, {} answered", right, count.answered);
+std::string words_of(const QuestionCount& count, Language language) {
+  const std::string right = std::to_string(count.right), asked = std::to_string(count.asked);
+  return count.answered == count.right
+             ? words::kCountRight.with(language, {right, asked})
+             : words::kCountRightAnswered.with(language, {right, asked, std::to_string(count.answered)});
 }
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/session/answers/answer_log.h"
+#include "base/words/language.h"
 #include "lessons/reader/lesson.h"
 
 #include <string>
@@ -49,8 +50,8 @@ struct LessonProgress {
 };
 
 /// "7 of 9 right", and how many were answered where that says more: "7 of 9 right, 8 answered".
-std::string words_of(const QuestionCount& count);
+std::string words_of(const QuestionCount& count, Language language = Language::en);
 /// What is still open of them: "3 not answered, 1 not yet right"; empty: nothing.
-std::string open_words(const QuestionCount& count);
+std::string open_words(const QuestionCount& count, Language language = Language::en);
 
 }  // namespace polhode

@@ -2,6 +2,7 @@
 #include "app/session/words/step_words.h"
 
 #include "base/words/page_words.h"
+#include "base/words/window_words.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +23,8 @@ std::string step_count(const LessonSession& session) {
 }
 
 std::string window_title(const LessonSession& session, const std::string& stage) {
-  if (session.panel == Panel::lessons) return "Lessons — polhode";
+  if (session.panel == Panel::lessons)
+    return std::string(words::kLessons.in(session.lesson().about.language)) + " — polhode";
   return fmt::format("{} — {}, {} — polhode", stage, stage_count(session), step_count(session));
 }
 

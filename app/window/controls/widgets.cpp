@@ -3,6 +3,7 @@
 
 #include "app/session/symbol_note.h"
 #include "base/ascii.h"
+#include "base/words/window_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace polhode {
 
@@ -108,20 +110,21 @@ void tooltip_of_last(const std::string& text) {
   ImGui::EndTooltip();
 }
 
-bool icon_button(const char* id, Icon icon, const char* words, const std::string& tooltip, float width) {
+bool icon_button(const char* id, Icon icon, const std::string& words, const std::string& tooltip,
+                 float width) {
   ImGui::PushID(id);
   const float em = ImGui::GetFontSize();
   const bool pressed = ImGui::Button("##icon", {width, 0});
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  const float words_width = *words ? ImGui::CalcTextSize(words).x + 0.5F * em : 0;
+  const float words_width = !words.empty() ? ImGui::CalcTextSize(words.c_str()).x + 0.5F * em : 0;
   const float middle = 0.5F * (low.x + high.x), y = std::round(0.5F * (low.y + high.y));
   const bool words_first = icon == Icon::next;
   const float icon_x = middle + (words_first ? 0.5F : -0.5F) * words_width;
   add_icon(icon, {std::round(icon_x), y}, kIconSize * em, color_of(ImGuiCol_Text));
-  if (*words) {
+  if (!words.empty()) {
     const float x = words_first ? middle - 0.5F * words_width - 0.35F * em : icon_x + 0.75F * em;
     ImGui::GetWindowDrawList()->AddText({std::round(x), std::round(y - 0.5F * em)}, color_of(ImGuiCol_Text),
-                                        words);
+                                        words.c_str());
   }
   tooltip_of_last(tooltip);
   ImGui::PopID();
@@ -178,7 +181,7 @@ bool radio_button(const char* words, bool is_on) {
 }
 
 std::optional<double> time_line(const LessonSession::Interval& interval, double t_s,
-                                const std::vector<double>& flips, float width) {
+                                const std::vector<double>& flips, float width, Language language) {
   const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
   ImGui::InvisibleButton("##time line", {width, height});
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
@@ -208,8 +211,9 @@ std::optional<double> time_line(const LessonSession::Interval& interval, double 
   if (hovered && !active) {
     const auto near = std::find_if(flips.begin(), flips.end(),
                                    [&](double flip) { return std::abs(x_of(flip) - pointer) < 0.6F * em; });
-    tooltip_of_last(near != flips.end() ? "flip at t = " + with_minus(fmt::format("{:.4g} s", *near))
-                                        : "t = " + with_minus(fmt::format("{:.4g} s", t_at(pointer))));
+    const double pointed_s = near != flips.end() ? *near : t_at(pointer);
+    const std::string t = with_decimals(with_minus(fmt::format("{:.4g}", pointed_s)), language);
+    tooltip_of_last(near != flips.end() ? words::kFlipAt.with(language, {t}) : "t = " + t + " s");
   }
   if (!active) return std::nullopt;
   // On a mark it is the flip itself.
@@ -218,16 +222,34 @@ std::optional<double> time_line(const LessonSession::Interval& interval, double 
   return t_at(pointer);
 }
 
+namespace {
+
+/// Rounded to what a format shows of it.
+double as_written(const char* format, double value) {
+  std::array<char, 64> written{};
+  ImFormatString(written.data(), written.size(), format, value);
+  return std::strtod(written.data(), nullptr);
+}
+
+}  // namespace
+
 bool number_slider(const char* id, double& value, double from, double to, const char* format, int flags,
                    Language language) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
   const bool is_typed = ImGui::TempInputIsActive(ImGui::GetID(id));
-  if (!is_typed) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
-  const bool changed = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &from, &to, format, flags);
-  if (is_typed) return changed;
-  ImGui::PopStyleColor();
   const bool is_log = (flags & ImGuiSliderFlags_Logarithmic) != 0 && from > 0;
+  // Dear ImGui takes what is below the last decimal that a format shows for 0, and of "%.1e" for 10: where a
+  // logarithm begins lower, its grab would stand elsewhere than the value.
+  const std::string with_all_digits =
+      is_log ? fmt::format("%.{}g", std::clamp(1 - static_cast<int>(std::floor(std::log10(from))), 4, 17))
+             : "";
+  if (!is_typed) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
+  const bool changed = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &from, &to,
+                                           is_log ? with_all_digits.c_str() : format, flags);
+  if (is_typed) return changed;
+  if (is_log && changed) value = as_written(format, value);
+  ImGui::PopStyleColor();
   const double part = is_log ? std::log(std::clamp(value, from, to) / from) / std::log(to / from)
                              : (value - from) / (to - from);
   std::array<char, 64> formatted{};

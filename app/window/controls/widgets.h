@@ -25,7 +25,8 @@ void show_hint_from_left();
 void type_at_end();
 
 /// With words beside the icon, or without; a tooltip says what it does and by which key.
-bool icon_button(const char* id, Icon icon, const char* words, const std::string& tooltip, float width);
+bool icon_button(const char* id, Icon icon, const std::string& words, const std::string& tooltip,
+                 float width);
 
 /// A button that stays down, in a frame, while what it stands for is on.
 bool toggle_button(const char* words, bool is_on, const std::string& tooltip);
@@ -47,7 +48,7 @@ void tooltip_of_last(const std::string& text);
 /// A line of time with a knob, and a mark at each flip. The time that was pointed at while the button is
 /// down.
 std::optional<double> time_line(const LessonSession::Interval& interval, double t_s,
-                                const std::vector<double>& flips, float width);
+                                const std::vector<double>& flips, float width, Language language);
 
 /// A slider whose number stands beside its thumb where that would be on it. Enter, or Ctrl and a click, types
 /// a number. `format` is that of printf, with a minus sign and the decimal mark of the language in what it

@@ -25,39 +25,43 @@ bool is_tight(const ControlSizes& sizes, float width) { return width < kTight * 
 bool is_very_tight(const ControlSizes& sizes, float width) { return width < kVeryTight * sizes.em; }
 
 /// Of a scene whose motion is shown at `rate` seconds a second where the speed is 1: "real time ÷ 22".
-std::string speed_text(double rate, double speed) {
+std::string speed_text(double rate, double speed, Language language) {
   const double ratio = rate * speed;
   constexpr double kSame = 0.005;  // of three digits
-  if (std::abs(ratio - 1) < kSame) return "real time";
+  if (std::abs(ratio - 1) < kSame) return std::string(words::kRealTime.in(language));
   constexpr double kPlain = 1e4;  // above it as a power of ten
   const double factor = ratio > 1 ? ratio : 1 / ratio;
   const std::string number = factor < kPlain ? fmt::format("{:.3g}", factor) : readable(factor);
-  return (ratio > 1 ? "real time × " : "real time ÷ ") + number;
+  const Phrase& phrase = ratio > 1 ? words::kRealTimeTimes : words::kRealTimeOver;
+  return phrase.with(language, {with_decimals(number, language)});
 }
 
 void draw_walk(PanelContext& context, bool has_words) {
   LessonSession& session = context.session;
   const float width = (has_words ? 4.9F : 2.1F) * context.sizes.em;
   ImGui::BeginDisabled(!session.previous_place());
-  if (icon_button("back", Icon::back, has_words ? "Back" : "", told(Command::previous_step), width))
+  if (icon_button("back", Icon::back, has_words ? context.said(words::kBack) : "",
+                  told(Command::previous_step), width))
     session.previous_step();
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(!why_idle(session, Command::next_step).empty());
-  if (icon_button("next", Icon::next, has_words ? "Next" : "", told(Command::next_step), width))
+  if (icon_button("next", Icon::next, has_words ? context.said(words::kNext) : "", told(Command::next_step),
+                  width))
     context.requests.next_step = true;
   ImGui::EndDisabled();
 }
 
 void draw_speed(LessonSession& session, float width) {
   const double rate = session.model()->rate, real = 1 / rate;
+  const auto text = [&](double speed) { return speed_text(rate, speed, session.lesson().about.language); };
   ImGui::SetNextItemWidth(width);
-  if (ImGui::BeginCombo("##speed", speed_text(rate, session.speed()).c_str(), ImGuiComboFlags_HeightLarge)) {
+  if (ImGui::BeginCombo("##speed", text(session.speed()).c_str(), ImGuiComboFlags_HeightLarge)) {
     std::vector<double> speeds(kSpeeds.begin(), kSpeeds.end());
     if (real > kSlowest && real < kFastest) speeds.push_back(real);
     std::sort(speeds.begin(), speeds.end());
     for (const double speed : speeds)
-      if (choice_row(speed_text(rate, speed).c_str(), speed == session.speed())) session.set_speed(speed);
+      if (choice_row(text(speed).c_str(), speed == session.speed())) session.set_speed(speed);
     ImGui::EndCombo();
   }
   tooltip_of_last("Speed. " + told(Command::faster) + "; " + told(Command::slower));
@@ -86,8 +90,8 @@ void draw_time(PanelContext& context, float width, bool has_frames) {
   ImGui::SameLine();
   const float buttons = has_frames ? 4 * icon + 3 * close : 2 * icon + close;
   const float line = width - buttons - number - speed - 3 * gap;
-  if (const auto t =
-          time_line(session.time_line(), session.t_s(), session.shown_flips(), std::max(4 * em, line))) {
+  if (const auto t = time_line(session.time_line(), session.t_s(), session.shown_flips(),
+                               std::max(4 * em, line), context.language())) {
     session.set_playing(false);
     session.scrub_to(*t);
   }
@@ -138,8 +142,8 @@ void draw_panel_buttons(PanelContext& context) {
     const bool is_of_questions = facts.panel == Panel::question,
                is_marked = is_of_questions && asks_something(session);
     ImGui::BeginDisabled(is_of_questions && !has_questions(session));
-    const std::string tooltip = is_marked ? "There is a question here (Q)" : told(facts.command);
-    if (toggle_button(facts.name, is_on, tooltip)) {
+    const std::string tooltip = is_marked ? context.said(words::kQuestionHere) : told(facts.command);
+    if (toggle_button(context.said(facts.name).c_str(), is_on, tooltip)) {
       session.panel = is_on ? Panel::none : facts.panel;
       context.requests.type_answer = is_of_questions && !is_on;
     }
@@ -148,11 +152,12 @@ void draw_panel_buttons(PanelContext& context) {
   }
 }
 
-float panel_buttons_width() {
+float panel_buttons_width(const PanelContext& context) {
   const ImGuiStyle& style = ImGui::GetStyle();
   float width = 0;
   for (const PanelFacts& facts : kPanels)
-    width += ImGui::CalcTextSize(facts.name).x + 2 * style.FramePadding.x + 0.5F * style.ItemSpacing.x;
+    width += ImGui::CalcTextSize(context.said(facts.name).c_str()).x + 2 * style.FramePadding.x +
+             0.5F * style.ItemSpacing.x;
   return width;
 }
 
@@ -193,7 +198,7 @@ void draw_bar(PanelContext& context, const Region& region) {
     ImGui::SameLine(0, gap);
   } else {
     draw_walk(context, true);
-    const float left = ImGui::GetItemRectMax().x + gap, right = edge - panel_buttons_width() - gap;
+    const float left = ImGui::GetItemRectMax().x + gap, right = edge - panel_buttons_width(context) - gap;
     if (has_time) {
       ImGui::SameLine(0, gap);
       draw_time(context, right - left, true);
@@ -201,7 +206,7 @@ void draw_bar(PanelContext& context, const Region& region) {
     ImGui::SameLine(right + gap - region.x);
   }
   // Where there is not room for all, each gives some of its own.
-  const float room = edge - ImGui::GetCursorScreenPos().x, lacks = panel_buttons_width() - room,
+  const float room = edge - ImGui::GetCursorScreenPos().x, lacks = panel_buttons_width(context) - room,
               each = lacks > 0 ? lacks / (2 * static_cast<float>(kPanels.size())) : 0;
   const ImVec2 padding{std::max(2.0F, std::floor(style.FramePadding.x - each)), style.FramePadding.y};
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);

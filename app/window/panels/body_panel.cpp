@@ -3,6 +3,8 @@
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
 #include "base/angles.h"
+#include "base/words/answer_words.h"
+#include "base/words/window_words.h"
 #include "physics/body/euler.h"
 #include "render/figure/omega_tip.h"
 
@@ -32,11 +34,13 @@ void choose_omega(SceneEdits& edits, const Scene& scene, const Scene& lessons) {
 void choose_body(PanelContext& context, const Scene& scene) {
   ImGui::SetNextItemWidth(-1);
   const bool is_named = find_body(scene.body.name).has_value();
-  if (!ImGui::BeginCombo("##body", is_named ? scene.body.name.c_str() : "moments of its own")) return;
+  if (!ImGui::BeginCombo("##body",
+                         (is_named ? scene.body.name : context.said(words::kMomentsOfItsOwn)).c_str()))
+    return;
   const std::string& of_lesson = context.session.lesson_scene().body.name;
   SceneEdits edits = context.session.edits();
-  const std::string lessons =
-      find_body(of_lesson) ? of_lesson + " (the lesson's)" : std::string("the lesson's");
+  const std::string lessons = find_body(of_lesson) ? words::kOfTheLesson.with(context.language(), {of_lesson})
+                                                   : context.said(words::kTheLessons);
   if (choice_row(lessons.c_str(), !edits.body)) {
     edits.body.reset();
     choose_omega(edits, scene, context.session.lesson_scene());
@@ -78,14 +82,16 @@ void name_last(const std::string& words) {
   ImGui::TextUnformatted(words.c_str());
 }
 
-void show_state(const SceneModel& model, double t_s) {
+void show_state(const PanelContext& context, const SceneModel& model, double t_s) {
   const Vec3 w_B = model.motion->w_B_at(t_s);
   const PrincipalMoments& I = model.scene.body.moments;
   const Vec3 L_B = angular_momentum_B(I, w_B);
-  value_row("|ω|", readable(w_B.norm(), 4) + " rad/s");
-  value_row("T", readable(kinetic_energy(I, w_B), 4) + " J");
-  value_row("|L|", readable(L_B.norm(), 4) + " kg m²/s");
-  value_row("angle of ω and L", fmt::format("{:.2f}°", angle_between(w_B, L_B) * kDegreesPerRadian));
+  const auto number = [&](std::string text) { return with_decimals(std::move(text), context.language()); };
+  value_row("|ω|", number(readable(w_B.norm(), 4)) + " rad/s");
+  value_row("T", number(readable(kinetic_energy(I, w_B), 4)) + " J");
+  value_row("|L|", number(readable(L_B.norm(), 4)) + " kg m²/s");
+  value_row(context.said(words::kAngleOfOmegaAndL).c_str(),
+            number(fmt::format("{:.2f}°", angle_between(w_B, L_B) * kDegreesPerRadian)));
 }
 
 }  // namespace
@@ -100,7 +106,7 @@ void BodyPanel::edit_moments(PanelContext& context, const Scene& scene, std::str
     const double low = least_moments_[i] / unit, high = most_moments_[i] / unit;
     double moment = present[i] / unit;
     ImGui::PushID(i);
-    const bool is_moved = number_slider("##moment", moment, low, high, "%.4g");
+    const bool is_moved = number_slider("##moment", moment, low, high, "%.4g", 0, context.language());
     name_last(fmt::format("{} {}kg m²", kNames[static_cast<std::size_t>(i)], ten));
     ImGui::PopID();
     if (!is_moved) continue;
@@ -137,7 +143,8 @@ void BodyPanel::edit_omega(PanelContext& context, const Scene& scene) const {
     double component = scene.w0_B[i];
     ImGui::PushID(i);
     component /= unit;
-    const bool is_moved = number_slider("##omega", component, least / unit, most / unit, "%.5g");
+    const bool is_moved =
+        number_slider("##omega", component, least / unit, most / unit, "%.5g", 0, context.language());
     component *= unit;
     name_last(fmt::format("{} {}rad/s", kNames[static_cast<std::size_t>(i)], ten));
     ImGui::PopID();
@@ -148,25 +155,25 @@ void BodyPanel::edit_omega(PanelContext& context, const Scene& scene) const {
     context.requests.edits = edits;
   }
   const bool is_drawn = draws_omega(*context.session.model());
-  if (scene.body.name == kEarth) quiet_words("The Earth turns once in 23 h 56 min.");
-  quiet_words(is_drawn ? "Body axes, at t = 0. Or take the tip of ω in the figure." : "Body axes, at t = 0.");
+  if (scene.body.name == kEarth) quiet_words(context.said(words::kEarthTurns));
+  quiet_words(context.said(is_drawn ? words::kBodyAxesOrDrag : words::kBodyAxes));
 }
 
 void BodyPanel::draw(PanelContext& context, std::string& refusal) {
   LessonSession& session = context.session;
-  if (!session.model()) return quiet_words("This step has no figure.");
-  heading("Body");
+  if (!session.model()) return quiet_words(context.said(words::kStepHasNoFigure));
+  heading(context.said(words::kBodyPanel).c_str());
   set_ranges(session.model()->scene);
   choose_body(context, session.model()->scene);
   edit_moments(context, session.model()->scene, refusal);
   if (!refusal.empty()) warning_words(refusal);
-  heading("Angular velocity");
+  heading(context.said(words::kAngularVelocity).c_str());
   edit_omega(context, session.model()->scene);
-  heading("Now");
-  show_state(*session.model(), session.t_s());
+  heading(context.said(words::kAtPresent).c_str());
+  show_state(context, *session.model(), session.t_s());
   ImGui::Dummy({0, 0.4F * ImGui::GetFontSize()});
   ImGui::BeginDisabled(session.edits().empty());
-  if (ImGui::Button("Back to the lesson's scene", {-1, 0})) session.reset_edits();
+  if (ImGui::Button(context.said(words::kBackToScene).c_str(), {-1, 0})) session.reset_edits();
   ImGui::EndDisabled();
   tooltip_of_last(told(Command::reset_scene));
 }

@@ -4,6 +4,12 @@
 #include "app/session/answers/answer_text.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/answer_controls.h"
+#include "base/ascii.h"
+#include "base/words/answer_words.h"
+#include "base/words/edition_words.h"
+#include "base/words/page_words.h"
+#include "base/words/window_words.h"
+#include "lessons/claims/answers/told_in_language.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -26,21 +32,36 @@ RichText numbered(std::size_t number, const DerivationWork::TypedLine& line) {
   return is_read ? opened_by(opening, line_of_tex(tex)) : words_text(opening + line.text);
 }
 
+/// What a line lacks is known in English. In another language that of a slip has words of its own, and the
+/// rest is a sentence of its own.
+std::vector<std::string> verdict_of_line(const LineJudgement& verdict, Language language) {
+  const bool is_wrong = verdict.mark == Mark::wrong, is_away = verdict.mark == Mark::away;
+  const Phrase& alone = is_away ? words::kLeadsAway : is_wrong ? words::kNotRight : words::kCannotBeRead;
+  const Phrase& with_reason = is_away    ? words::kLeadsAwayFor
+                              : is_wrong ? words::kNotRightFor
+                                         : words::kCannotBeReadFor;
+  if (language == Language::en) {
+    const std::string hint = verdict.hint.empty() ? "" : " (" + verdict.hint + ')';
+    return {with_reason.with(language, {verdict.reason + hint})};
+  }
+  const bool has_words = is_wrong && verdict.slip != Slip::none && verdict.slip != Slip::other;
+  if (has_words) return {with_reason.with(language, {words_of_reason_in(language, name_of(verdict.slip))})};
+  std::vector<std::string> sentences = {std::string(alone.in(language))};
+  if (!verdict.reason.empty()) sentences.push_back(capitalized(verdict.reason) + '.');
+  return sentences;
+}
+
 void show_line(PanelContext& context, const DerivationWork::TypedLine& line, std::size_t number,
                bool leads_on) {
   const LineJudgement& verdict = line.judgement;
   if (leads_on) return context.texts.show(numbered(number, line), TextInk::right);
   context.texts.show(numbered(number, line), TextInk::wrong);
   if (verdict.mark == Mark::goal) return;  // too early, which is said below
-  const char* what = verdict.mark == Mark::away    ? "Leads away"
-                     : verdict.mark == Mark::wrong ? "Not right"
-                                                   : "Cannot be read";
-  const std::string hint = verdict.hint.empty() ? "" : " (" + verdict.hint + ')';
-  quiet_words(fmt::format("{}: {}{}.", what, verdict.reason, hint));
-  if (verdict.column > 0) quiet_words(fmt::format("at column {}", verdict.column));
+  for (const std::string& sentence : verdict_of_line(verdict, context.language())) quiet_words(sentence);
+  if (verdict.column > 0)
+    quiet_words(words::kAtColumn.with(context.language(), {std::to_string(verdict.column)}));
   if (const auto& counter = verdict.counterexample) {
-    quiet_words(fmt::format("At {} the left side is {}, the right side {}.", counter->state, counter->left,
-                            counter->right));
+    quiet_words(words::kSidesAre.with(context.language(), {counter->state, counter->left, counter->right}));
     show_it_button(context, *counter);
   }
 }
@@ -51,13 +72,14 @@ void ask_for_line(PanelContext& context, const Ask& ask, DerivationWork& work, s
     const Mark mark = work.lines().back().judgement.mark;
     if (mark == Mark::holds || mark == Mark::goal) typed.clear();
   };
-  if (text_field(context, "##line", "the next line, such as a = b + c", "Next", typed)) {
+  const std::string next_words = context.said(words::kEnterLine);
+  if (text_field(context, "##line", context.said(words::kNextLine).c_str(), next_words.c_str(), typed)) {
     next();
     keep_typing(!work.is_done());
   }
   work.type(typed);
   ImGui::SameLine();
-  if (ImGui::Button("Next") && !typed.empty()) next();
+  if (ImGui::Button(next_words.c_str()) && !typed.empty()) next();
   say_who_has_keys(context);
 }
 
@@ -65,26 +87,28 @@ void ask_for_line(PanelContext& context, const Ask& ask, DerivationWork& work, s
 
 void ask_for_derivation(PanelContext& context, const Ask& ask, std::string& typed) {
   DerivationWork& work = context.session.derivation(ask);
-  context.texts.show(opened_by("From  ", line_of_tex(work.derivation().start.tex)), TextInk::quiet);
-  context.texts.show(opened_by("To  ", line_of_tex(work.derivation().goal.tex)), TextInk::quiet);
+  context.texts.show(opened_by(context.said(words::kFrom), line_of_tex(work.derivation().start.tex)),
+                     TextInk::quiet);
+  context.texts.show(opened_by(context.said(words::kTo), line_of_tex(work.derivation().goal.tex)),
+                     TextInk::quiet);
   for (std::size_t i = 0; i < work.lines().size(); ++i) {
     const Mark mark = work.lines()[i].judgement.mark;
     show_line(context, work.lines()[i], i + 1,
               mark == Mark::holds || (mark == Mark::goal && !work.is_too_short()));
   }
-  if (work.is_done()) right_words("The goal is reached.");
+  if (work.is_done()) right_words(context.said(words::kGoalIsReached));
   if (work.is_too_short())
-    warning_words(fmt::format("That is the goal itself: show how you get there, in at least {} lines.",
-                              work.derivation().least_lines));
+    warning_words(
+        words::kGoalWithoutLines.with(context.language(), {std::to_string(work.derivation().least_lines)}));
   if (!work.is_done()) ask_for_line(context, ask, work, typed);
-  if (!work.lines().empty() && ImGui::Button("Take back the last line"))
+  if (!work.lines().empty() && ImGui::Button(context.said(words::kTakeBackLine).c_str()))
     context.session.undo_derived_line(ask);
 }
 
 void show_next_step(PanelContext& context, const Ask& ask) {
   const DerivationWork& work = context.session.derivation(ask);
   if (work.is_done()) {
-    quiet_words("The lesson's own way, to compare:");
+    quiet_words(context.said(words::kLessonsWay));
     for (std::size_t i = 0; i < work.derivation().worked.size(); ++i)
       context.texts.show(
           opened_by(fmt::format("{}   ", i + 1), line_of_tex(work.derivation().worked[i].line.tex)),
@@ -95,10 +119,11 @@ void show_next_step(PanelContext& context, const Ask& ask) {
   if (work.is_done()) return;
   if (shown > 0)
     if (const std::string hint = work.hint(shown); !hint.empty())
-      context.texts.show(opened_by("Hint: ", line_text(hint)), TextInk::quiet);
+      context.texts.show(opened_by(context.said(words::kHintToLine), line_text(hint)), TextInk::quiet);
   // Whatever it says it is the same button, which keeps the focus.
-  const char* words = shown == 0 ? "A hint###hint" : shown == 1 ? "How?###hint" : "Show the line###hint";
-  if (shown < DerivationWork::kMostHints && ImGui::Button(words)) context.session.show_hint(ask);
+  const Phrase& phrase = shown == 0 ? words::kAHint : shown == 1 ? words::kHow : words::kShowTheLine;
+  const std::string words = context.said(phrase) + "###hint";
+  if (shown < DerivationWork::kMostHints && ImGui::Button(words.c_str())) context.session.show_hint(ask);
 }
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
 #include "app/window/panels/progress_table.h"
+#include "base/words/window_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -31,23 +32,26 @@ LessonProgress as_it_is(const LessonProgress& listed, const LessonSession& sessi
   return now;
 }
 
-std::string about(const LessonProgress& lesson) {
-  std::string words;
-  for (const std::string& outcome : lesson.outcomes)
-    words += (words.empty() ? "You learn to " : "; ") + outcome;
-  return words.empty() ? words : words + ".";
+std::string about(const LessonProgress& lesson, Language language) {
+  std::string outcomes;
+  for (const std::string& outcome : lesson.outcomes) outcomes += (outcomes.empty() ? "" : "; ") + outcome;
+  return outcomes.empty() ? outcomes : words::kYouLearnTo.with(language, {outcomes});
 }
 
-std::string how_far(const LessonProgress& lesson) {
-  std::string words = lesson.at == 0 ? fmt::format("{} stages, not begun", lesson.stages)
-                                     : fmt::format("{} of {} stages seen", lesson.seen, lesson.stages);
-  if (lesson.questions.asked == 0) return words;
-  const std::string open = open_words(lesson.questions);
-  return fmt::format("{}; {} question{}: {}", words, lesson.questions.asked,
-                     lesson.questions.asked == 1 ? "" : "s",
-                     open.empty()                     ? "all answered right"
-                     : lesson.questions.answered == 0 ? "none answered"
-                                                      : open);
+std::string how_far(const LessonProgress& lesson, Language language) {
+  const std::string stages = std::to_string(lesson.stages);
+  const std::string seen = lesson.at == 0
+                               ? words::kNotBegun.with(language, {stages})
+                               : words::kStagesSeen.with(language, {std::to_string(lesson.seen), stages});
+  const int asked = lesson.questions.asked;
+  if (asked == 0) return seen;
+  std::string open = open_words(lesson.questions, language);
+  if (open.empty())
+    open = words::kAllAnsweredRight.in(language);
+  else if (lesson.questions.answered == 0)
+    open = words::kNoneAnswered.in(language);
+  return asked == 1 ? words::kOneQuestion.with(language, {seen, open})
+                    : words::kQuestions.with(language, {seen, std::to_string(asked), open});
 }
 
 /// Closes the page of lessons, or opens another lesson.
@@ -55,9 +59,11 @@ void lesson_row(PanelContext& context, const LessonProgress& lesson, std::size_t
   const bool here = lesson.id == context.session.lesson().id;
   ImGui::PushID(lesson.id.c_str());
   heading(fmt::format("{}  {}", number, lesson.title).c_str());
-  quiet_words(about(lesson));
-  plain_words(how_far(lesson));
-  const std::string words = lesson.at == 0 ? "Begin" : fmt::format("Go on at stage {}", lesson.at);
+  quiet_words(about(lesson, context.language()));
+  plain_words(how_far(lesson, context.language()));
+  const std::string words = lesson.at == 0
+                                ? context.said(words::kBegin)
+                                : words::kGoOnAt.with(context.language(), {std::to_string(lesson.at)});
   if (ImGui::Button((words + "###open").c_str())) {
     context.session.panel = Panel::none;
     if (!here) context.requests.open_lesson = lesson.id;
@@ -66,7 +72,7 @@ void lesson_row(PanelContext& context, const LessonProgress& lesson, std::size_t
     ImGui::SetItemDefaultFocus();  // at the end the next lesson has it
   if (here && lesson.at != 0) {
     ImGui::SameLine();
-    ImGui::TextDisabled("you are here");
+    ImGui::TextDisabled("%s", context.said(words::kYouAreHere).c_str());
   }
   ImGui::Spacing();
   ImGui::PopID();
@@ -85,12 +91,11 @@ void draw_home(PanelContext& context) {
   ImGui::TableNextRow();
   ImGui::TableSetColumnIndex(1);
   const bool is_end = !session.next_place();
-  if (!is_begun(session))
-    quiet_words("Tab goes from lesson to lesson, Enter opens one, Escape closes this list.");
+  if (!is_begun(session)) quiet_words(context.said(words::kHowToChoose));
   if (is_end) draw_summary(context);
   for (std::size_t i = 0; i < context.lessons.size(); ++i)
     lesson_row(context, as_it_is(context.lessons[i], session), i + 1);
-  if (context.lessons.empty()) quiet_words("No other lesson was found.");
+  if (context.lessons.empty()) quiet_words(context.said(words::kNoOtherLesson));
   ImGui::EndTable();
 }
 

@@ -3,6 +3,9 @@
 #include "app/session/words/method_words.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
+#include "base/angles.h"
+#include "base/words/verdict_words.h"
+#include "base/words/window_words.h"
 #include "physics/method.h"
 #include "render/scene/model/model.h"
 
@@ -71,14 +74,15 @@ void choose_method(PanelContext& context, const SceneModel& model) {
 void choose_step(PanelContext& context, const SceneModel& model) {
   const MethodFacts& facts = facts_of(method_of(model));
   MotionSpec motion = model.scene.motion;
-  if (facts.control == StepControl::none) return quiet_words("A closed form: any t at once, no step.");
+  if (facts.control == StepControl::none) return quiet_words(context.said(words::kClosedForm));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6 * ImGui::GetFontSize());
   if (facts.control == StepControl::fixed) {
     double step = motion.step_s.value_or(usual_step_s(model));
     const double low = usual_step_s(model) / 256, high = usual_step_s(model) * 16;
-    const bool is_moved = number_slider("##step", step, low, high, "%.4g", ImGuiSliderFlags_Logarithmic);
+    const bool is_moved =
+        number_slider("##step", step, low, high, "%.4g", ImGuiSliderFlags_Logarithmic, context.language());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    ImGui::TextUnformatted("step, s");
+    ImGui::TextUnformatted(context.said(words::kStepS).c_str());
     if (is_moved) {
       motion.step_s = step;
       set_motion(context, motion);
@@ -86,10 +90,10 @@ void choose_step(PanelContext& context, const SceneModel& model) {
   } else {
     double tolerance = motion.tolerance.value_or(kDefaultTolerance);
     const double low = 1e-14, high = 1e-2;
-    const bool is_moved =
-        number_slider("##tolerance", tolerance, low, high, "%.1e", ImGuiSliderFlags_Logarithmic);
+    const bool is_moved = number_slider("##tolerance", tolerance, low, high, "%.1e",
+                                        ImGuiSliderFlags_Logarithmic, context.language());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    ImGui::TextUnformatted("tolerance");
+    ImGui::TextUnformatted(context.said(words::kTolerance).c_str());
     if (is_moved) {
       motion.method = facts.method;
       motion.tolerance = tolerance;
@@ -125,35 +129,45 @@ std::optional<int> place_on(const std::vector<ParetoStep>& steps, const SceneMod
 /// A panel has its new height, and its scroll bar, two frames after it has new contents.
 constexpr int kFramesToSettle = 3;
 
-const char* why_no_error(const SceneModel& model) {
-  return facts_of(method_of(model)).control == StepControl::none ? "the reference" : "no closed form";
+const Phrase& why_no_error(const SceneModel& model) {
+  const bool is_closed = facts_of(method_of(model)).control == StepControl::none;
+  return is_closed ? words::kTheReference : words::kNoClosedForm;
+}
+
+const Phrase& words_of(QualityLevel level) {
+  return level == QualityLevel::draft  ? words::kDraft
+         : level == QualityLevel::fine ? words::kFine
+                                       : words::kNormal;
 }
 
 void choose_quality(PanelContext& context, const SceneModel& model) {
   for (const QualityLevel level : {QualityLevel::draft, QualityLevel::normal, QualityLevel::fine}) {
     if (level != QualityLevel::draft) ImGui::SameLine();
-    if (!radio_button(name_of(level), model.scene.quality == level)) continue;
+    if (!radio_button(context.said(words_of(level)).c_str(), model.scene.quality == level)) continue;
     SceneEdits edits = context.session.edits();
     edits.quality = level;
     context.requests.edits = edits;
   }
-  value_row("picture, per frame", fmt::format("{:.0f} ms", context.frame_ms));
+  value_row(context.said(words::kPicturePerFrame).c_str(), fmt::format("{:.0f} ms", context.frame_ms));
 }
 
 /// How far the sides of the step's claims are apart at this moment, of the size of their terms, and what
 /// rounding and method allow.
-void show_residuals(const LessonSession& session, const LiveState& live) {
+void show_residuals(const PanelContext& context, const LiveState& live) {
+  const LessonSession& session = context.session;
+  const auto number = [&](double value) { return with_decimals(readable(value, 1), context.language()); };
   bool is_first = true;
   for (const Claim* claim : blocks_of<Claim>(session.step())) {
     if (claim->kind == ClaimKind::is_false || !can_be_shown(*claim, session.model()->scene)) continue;
     const auto value = live_value(*claim, live, View::space);
     if (!value) continue;
-    if (is_first) heading("Both sides of the equations differ by");
+    if (is_first) heading(context.said(words::kSidesDiffer).c_str());
     is_first = false;
-    value_row(claim->equation.c_str(), value->tolerance > kDecisive
-                                           ? "the step is too long to tell"
-                                           : fmt::format("{}, allowed {}", readable(value->residual, 1),
-                                                         readable(value->tolerance, 1)));
+    value_row(
+        claim->equation.c_str(),
+        value->tolerance > kDecisive
+            ? context.said(words::kStepTooLong)
+            : words::kAllowed.with(context.language(), {number(value->residual), number(value->tolerance)}));
   }
 }
 
@@ -173,10 +187,10 @@ void MethodPanel::choose_from_front(PanelContext& context, const SceneModel& mod
   }
   if (!front_ || !front_->is_ready()) {
     frames_to_settle_ = kFramesToSettle;
-    return quiet_words("measuring the methods on this motion …");
+    return quiet_words(context.said(words::kMeasuring));
   }
   const std::vector<ParetoStep>& steps = front_->steps();
-  if (steps.empty()) return quiet_words("Nothing could be measured on this motion.");
+  if (steps.empty()) return quiet_words(context.said(words::kNotMeasured));
   const auto present = place_on(steps, model);
   int chosen = present.value_or(0);
   ImGui::SetNextItemWidth(-1);
@@ -188,17 +202,19 @@ void MethodPanel::choose_from_front(PanelContext& context, const SceneModel& mod
                          .ghost = model.scene.motion.ghost});
     return;  // the model is another one now
   }
-  ImGui::TextDisabled("fast");
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("accurate").x);
-  ImGui::TextDisabled("accurate");
-  if (!present)
-    return quiet_words(
-        "Each step of the slider is the fastest for its accuracy. The present method is none of them.");
+  const std::string fast = context.said(words::kFast), accurate = context.said(words::kAccurate);
+  ImGui::TextDisabled("%s", fast.c_str());
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(accurate.c_str()).x);
+  ImGui::TextDisabled("%s", accurate.c_str());
+  if (!present) return quiet_words(context.said(words::kNotOnFront));
   const ParetoStep& step = steps[static_cast<std::size_t>(*present)];
   const bool is_reference = facts_of(step.choice.method).control == StepControl::none;
-  const std::string error = is_reference ? "what the errors of the others are against"
-                                         : "error after 10 periods " + number_with_unit(step.error, "");
-  quiet_words(fmt::format("{}: {}, {} a period", step.name, error, time_text(step.ns_per_period)));
+  const auto number = [&](std::string text) { return with_decimals(std::move(text), context.language()); };
+  const std::string error =
+      is_reference ? context.said(words::kReferenceOfOthers)
+                   : words::kErrorAfterPeriods.with(context.language(), {number(readable(step.error, 2))});
+  quiet_words(
+      words::kFrontStep.with(context.language(), {step.name, error, number(time_text(step.ns_per_period))}));
 }
 
 void MethodPanel::show_accuracy(PanelContext& context, const SceneModel& model) {
@@ -215,13 +231,18 @@ void MethodPanel::show_accuracy(PanelContext& context, const SceneModel& model) 
     read_at_s_ = context.clock_s;
     read_of_t_s_ = context.session.t_s();
   }
-  value_row("error of ω", now_.error ? number_with_unit(now_.error->omega, "") : why_no_error(model));
-  value_row("error of attitude", now_.error ? number_with_unit(now_.error->attitude_rad, " rad") : "");
-  value_row("drift of T", number_with_unit(now_.drift.T, ""));
-  value_row("drift of |L|", number_with_unit(now_.drift.L, ""));
-  value_row("drift of L's direction", number_with_unit(now_.drift.L_direction_rad, " rad"));
-  value_row("motion, per frame", time_text(now_.ns_per_frame));
-  if (live_) show_residuals(context.session, *live_);
+  const auto row = [&](const Phrase& name, const std::string& value) {
+    value_row(context.said(name).c_str(), with_decimals(value, context.language()));
+  };
+  const auto degrees = [](double rad) { return number_with_unit(kDegreesPerRadian * rad, "°"); };
+  row(words::kErrorOfOmega,
+      now_.error ? number_with_unit(now_.error->omega, "") : context.said(why_no_error(model)));
+  row(words::kErrorOfAttitude, now_.error ? degrees(now_.error->attitude_rad) : "");
+  row(words::kChangeOfT, number_with_unit(now_.drift.T, ""));
+  row(words::kChangeOfL, number_with_unit(now_.drift.L, ""));
+  row(words::kChangeOfDirection, degrees(now_.drift.L_direction_rad));
+  row(words::kMotionPerFrame, time_text(now_.ns_per_frame));
+  if (live_) show_residuals(context, *live_);
 }
 
 std::optional<double> MethodPanel::seconds_to_wake() const {
@@ -231,33 +252,33 @@ std::optional<double> MethodPanel::seconds_to_wake() const {
 
 void MethodPanel::draw(PanelContext& context, const std::string& refusal) {
   LessonSession& session = context.session;
-  if (!session.model()) return quiet_words("This step has no figure.");
-  heading("From fast to accurate");
+  if (!session.model()) return quiet_words(context.said(words::kStepHasNoFigure));
+  heading(context.said(words::kFromFastToAccurate).c_str());
   // As high as it becomes: when the methods are measured nothing falls from under the pointer.
   constexpr float kLinesBelow = 3;  // the ends of the slider, and what is said of the present method
   const float end = ImGui::GetCursorPosY() + ImGui::GetFrameHeightWithSpacing() +
                     kLinesBelow * ImGui::GetTextLineHeightWithSpacing();
   choose_from_front(context, *session.model());
   ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), end));
-  heading("Method");
+  heading(context.said(words::kMethod).c_str());
   choose_method(context, *session.model());
   choose_step(context, *session.model());
   if (!refusal.empty()) warning_words(refusal);
   bool ghost = session.model()->scene.motion.ghost;
   const std::string why_not = why_idle(session, Command::ghost);
   ImGui::BeginDisabled(!why_not.empty());
-  if (ImGui::Checkbox("the exact body beside it, as a ghost", &ghost)) {
+  if (ImGui::Checkbox(context.said(words::kGhostBeside).c_str(), &ghost)) {
     MotionSpec motion = session.model()->scene.motion;
     motion.ghost = ghost;
     set_motion(context, motion);
   }
   ImGui::EndDisabled();
   tooltip_of_last(why_not);
-  heading("Now");
+  heading(context.said(words::kNowAndSince).c_str());
   show_accuracy(context, *session.model());
-  heading("Picture");
+  heading(context.said(words::kPicture).c_str());
   choose_quality(context, *session.model());
-  heading("What the scene requires");
+  heading(context.said(words::kWhatSceneRequires).c_str());
   const RequirementWords words = requirement_words(*session.model());
   quiet_words(fmt::format("{}: {}", session.model()->motion->method(), why_method(session)));
   ImGui::PushTextWrapPos(0);

@@ -3,6 +3,7 @@
 #include "app/window/panels/answer_controls.h"
 #include "app/window/panels/panels.h"
 #include "app/window/panels/progress_table.h"
+#include "base/words/window_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -86,18 +87,19 @@ void step_row(PanelContext& context) {
 /// To another lesson, and how far one is in each.
 void draw_lessons(PanelContext& context) {
   if (context.lessons.size() < 2) return;
-  heading("Lessons");
+  heading(context.said(words::kLessons).c_str());
   for (const LessonProgress& lesson : context.lessons) {
     const bool here = lesson.id == context.session.lesson().id;
     ImGui::PushID(lesson.id.c_str());
     if (here) {
-      plain_words(lesson.title + ": you are here");
+      plain_words(words::kYouAreHereIn.with(context.language(), {lesson.title}));
     } else {
-      if (ImGui::Button("Open")) context.requests.open_lesson = lesson.id;
+      if (ImGui::Button(context.said(words::kOpen).c_str())) context.requests.open_lesson = lesson.id;
       ImGui::SameLine();
       plain_words(lesson.title);
-      quiet_words(fmt::format("{} of {} stages seen; questions: {}", lesson.seen, lesson.stages,
-                              words_of(lesson.questions)));
+      quiet_words(words::kSeenAndRight.with(context.language(),
+                                            {std::to_string(lesson.seen), std::to_string(lesson.stages),
+                                             words_of(lesson.questions, context.language())}));
     }
     ImGui::PopID();
   }
@@ -109,19 +111,17 @@ void OutlinePanel::choose_for_class(PanelContext& context) {
   const std::size_t all = session.lesson().stages.size(), chosen = session.chosen_stages().size();
   if (!chooses_) {
     if (chosen < all)
-      quiet_words(fmt::format(
-          "For your class: {} of {} stages; the others are passed over while you present.", chosen, all));
-    if (ImGui::Button("Choose stages for a class…")) chooses_ = true;
+      quiet_words(
+          words::kForYourClass.with(context.language(), {std::to_string(chosen), std::to_string(all)}));
+    if (ImGui::Button(context.said(words::kChooseForClass).c_str())) chooses_ = true;
     return;
   }
-  quiet_words(
-      "What has no mark is passed over while you present, and is not in the slides that Save makes. As "
-      "long as there is no mark, all stages are shown.");
-  if (ImGui::Button("Done")) chooses_ = false;
+  quiet_words(context.said(words::kWithoutMark));
+  if (ImGui::Button(context.said(words::kDone).c_str())) chooses_ = false;
   ImGui::SameLine();
-  if (ImGui::Button("All")) session.set_left_out({});
+  if (ImGui::Button(context.said(words::kAll).c_str())) session.set_left_out({});
   ImGui::SameLine();
-  if (ImGui::Button("No marks")) {
+  if (ImGui::Button(context.said(words::kNoMarks).c_str())) {
     std::set<std::string> stages;
     for (const Stage& stage : session.lesson().stages) stages.insert(stage.id);
     session.set_left_out(stages);
@@ -131,8 +131,10 @@ void OutlinePanel::choose_for_class(PanelContext& context) {
 /// Where the words stand that are typed. Enter goes to the next of these places.
 void OutlinePanel::draw_found(PanelContext& context) {
   LessonSession& session = context.session;
-  if (found_.empty()) return quiet_words("Nothing in this lesson has these words.");
-  quiet_words(fmt::format("{} step{}; Enter: the next", found_.size(), found_.size() == 1 ? "" : "s"));
+  if (found_.empty()) return quiet_words(context.said(words::kNothingFound));
+  quiet_words(found_.size() == 1
+                  ? context.said(words::kOneStepFound)
+                  : words::kStepsFound.with(context.language(), {std::to_string(found_.size())}));
   ImGui::BeginChild("found", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   std::optional<StepPlace> chosen;
   for (const LessonSearch::Found& found : found_) {
@@ -170,7 +172,7 @@ void OutlinePanel::draw(PanelContext& context) {
   if (context.take_focus && !context.finds) looked_for_.clear();  // it is opened for the stages
   if (std::exchange(context.finds, false)) ImGui::SetKeyboardFocusHere();
   const std::string before = looked_for_;
-  const bool entered = ImGui::InputTextWithHint("##find", "find in this lesson", &looked_for_,
+  const bool entered = ImGui::InputTextWithHint("##find", context.said(words::kFind).c_str(), &looked_for_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   take_keyboard_by_tab(context);
   tooltip_of_last(told(Command::find));
@@ -184,7 +186,8 @@ void OutlinePanel::draw(PanelContext& context) {
     if (!found_.empty()) session.go_to(next == found_.end() ? found_.front().place : next->place);
   }
   if (!looked_for_.empty()) return draw_found(context);
-  quiet_words(fmt::format("{} of {} stages seen", session.visited().size(), session.lesson().stages.size()));
+  quiet_words(words::kStagesSeen.with(context.language(), {std::to_string(session.visited().size()),
+                                                           std::to_string(session.lesson().stages.size())}));
   draw_progress(context);
   choose_for_class(context);
   draw_stages(context);

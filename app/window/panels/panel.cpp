@@ -14,9 +14,9 @@ namespace polhode {
 
 namespace {
 
-const char* title_of(Panel panel) {
+std::string title_of(const PanelContext& context) {
   for (const PanelFacts& facts : kPanels)
-    if (facts.panel == panel) return facts.title;
+    if (facts.panel == context.session.panel) return context.said(facts.title);
   return "";
 }
 
@@ -139,7 +139,7 @@ void Panels::draw(PanelContext& context, const Region& region) {
   list.PopClipRect();
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(bold_control_font());
-  ImGui::TextUnformatted(title_of(context.session.panel));
+  ImGui::TextUnformatted(title_of(context).c_str());
   ImGui::PopFont();
   const std::pair now(context.session.panel, context.session.place());
   const std::pair before = std::exchange(shown_, now);

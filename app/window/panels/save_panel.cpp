@@ -4,6 +4,7 @@
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/answer_controls.h"
 #include "app/window/panels/panels.h"
+#include "base/words/window_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -26,14 +27,14 @@ void choose_size(SaveOptions& options) {
   ImGui::EndCombo();
 }
 
-void offer(PanelContext& context, const char* words, SaveAs what, const std::string& tooltip) {
+void offer(PanelContext& context, const Phrase& words, SaveAs what, const std::string& tooltip) {
   ImGui::BeginDisabled(!can_save_as(context.session, what));
-  if (ImGui::Button(words, {-1, 0})) context.requests.save_as = what;
+  if (ImGui::Button(context.said(words).c_str(), {-1, 0})) context.requests.save_as = what;
   ImGui::EndDisabled();
   tooltip_of_last(can_save_as(context.session, what)  ? tooltip
-                  : what != SaveAs::equation          ? "This step has no figure."
-                  : saves_derivation(context.session) ? "Your derivation has no line yet."
-                                                      : "This step has no equation.");
+                  : what != SaveAs::equation          ? context.said(words::kStepHasNoFigure)
+                  : saves_derivation(context.session) ? context.said(words::kNoLineYet)
+                                                      : context.said(words::kNoEquation));
 }
 
 }  // namespace
@@ -44,47 +45,42 @@ SavePanel::SavePanel() {
 }
 
 void SavePanel::draw(PanelContext& context) {
-  heading("Pictures");
+  heading(context.said(words::kPictures).c_str());
   choose_size(options);
-  ImGui::Checkbox("transparent background", &options.transparent);
-  offer(context, "Save the page", SaveAs::page, "As polhode export writes it. " + told(Command::save_page));
-  offer(context, "Save the figure", SaveAs::figure, "Without text and plots");
+  ImGui::Checkbox(context.said(words::kTransparent).c_str(), &options.transparent);
+  offer(context, words::kSavePage, SaveAs::page, context.said(words::kAsExportWrites) + " (Ctrl+S)");
+  offer(context, words::kSaveFigure, SaveAs::figure, context.said(words::kWithoutText));
   const bool is_derivation = saves_derivation(context.session);
-  offer(context, is_derivation ? "Save the derivation" : "Save the equation", SaveAs::equation,
-        is_derivation ? "Yours, as far as it goes, at 300 dots per inch"
-                      : "The last one of this step, at 300 dots per inch");
-  heading("Motion");
+  offer(context, is_derivation ? words::kSaveDerivation : words::kSaveEquation, SaveAs::equation,
+        context.said(is_derivation ? words::kYoursAt300 : words::kLastAt300));
+  heading(context.said(words::kMotion).c_str());
   ImGui::BeginDisabled(!context.session.model());
-  if (ImGui::Button("Copy as CSV", {-1, 0})) context.requests.clipboard = trace_of(context.session);
+  if (ImGui::Button(context.said(words::kCopyCsv).c_str(), {-1, 0}))
+    context.requests.clipboard = trace_of(context.session);
   ImGui::EndDisabled();
-  tooltip_of_last(
-      "Over the time line, to be pasted into a table: t in s, ω in rad/s, the attitude as a quaternion, T in "
-      "J, "
-      "L in kg m²/s, each number with all its digits");
-  offer(context, "Save as CSV", SaveAs::trace, "The same as a file");
-  heading("Scene");
-  offer(context, "Save as a lesson", SaveAs::scene,
-        "With all that was changed by hand; polhode export makes the same figure of it");
-  heading("Slides");
+  tooltip_of_last(context.said(words::kWhatCsvIs));
+  offer(context, words::kSaveCsv, SaveAs::trace, context.said(words::kSameAsFile));
+  heading(context.said(words::kSceneHeading).c_str());
+  offer(context, words::kSaveLesson, SaveAs::scene, context.said(words::kWhatLessonIs));
+  heading(context.said(words::kSlides).c_str());
   const std::size_t all = context.session.lesson().stages.size(),
                     chosen = context.session.chosen_stages().size();
-  quiet_words(chosen == all ? "Of all stages; Outline chooses some for a class."
-                            : fmt::format("Of the {} stages chosen in Outline.", chosen));
-  if (ImGui::Button("Save slides for a browser", {-1, 0})) context.requests.slides = ".html";
-  tooltip_of_last("One file that any browser shows without network; as polhode export --deck makes it");
-  if (ImGui::Button("Save slides as PDF", {-1, 0})) context.requests.slides = ".pdf";
-  tooltip_of_last("The same as a PDF. They are made while you go on");
-  heading("Answers");
+  quiet_words(chosen == all ? context.said(words::kOfAllStages)
+                            : words::kOfChosenStages.with(context.language(), {std::to_string(chosen)}));
+  if (ImGui::Button(context.said(words::kSaveForBrowser).c_str(), {-1, 0})) context.requests.slides = ".html";
+  tooltip_of_last(context.said(words::kOneFile));
+  if (ImGui::Button(context.said(words::kSavePdf).c_str(), {-1, 0})) context.requests.slides = ".pdf";
+  tooltip_of_last(context.said(words::kSameAsPdf));
+  heading(context.said(words::kAnswers).c_str());
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##student", "your name, if it is to stand there", &options.student);
+  ImGui::InputTextWithHint("##student", context.said(words::kYourName).c_str(), &options.student);
   take_keyboard_by_tab(context);
-  offer(context, "Save a report to hand in", SaveAs::answers,
-        "What you answered in this lesson, as a text; without a name it does not say who you are");
-  heading("Folder");
+  offer(context, words::kSaveReport, SaveAs::answers, context.said(words::kWhatReportIs));
+  heading(context.said(words::kFolder).c_str());
   ImGui::SetNextItemWidth(-1);
   ImGui::InputText("##folder", &folder);
   take_keyboard_by_tab(context);
-  quiet_words("Nothing is overwritten: a name that is taken gets a number.");
+  quiet_words(context.said(words::kNothingOverwritten));
 }
 
 }  // namespace polhode

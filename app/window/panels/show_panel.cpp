@@ -2,6 +2,8 @@
 #include "app/session/camera_moves.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
+#include "base/words/speech_words.h"
+#include "base/words/window_words.h"
 #include "render/figure/omega_tip.h"
 #include "render/scene/model/scene_needs.h"
 
@@ -13,12 +15,11 @@ namespace polhode {
 
 namespace {
 
-constexpr const char* kDrawnByLesson = "drawn by an arrow of this lesson";
-
-/// As alternative texts call it, without the article.
-std::string words_of(Overlay overlay) {
-  if (overlay == Overlay::labels) return "names at arrows and axes";
-  std::string words(facts_of(overlay).words.in(Language::en));
+/// As alternative texts call it, in English without the article.
+std::string words_of(Overlay overlay, Language language) {
+  if (overlay == Overlay::labels) return std::string(words::kNamesAtArrows.in(language));
+  std::string words(facts_of(overlay).words.in(language));
+  if (language != Language::en) return words;
   for (const std::string_view article : {"the ", "a ", "an "})
     if (words.starts_with(article)) words.erase(0, article.size());
   return words;
@@ -39,34 +40,43 @@ bool wrapped_checkbox(const std::string& words, bool& is_on) {
 
 void choose_views(LessonSession& session, PanelContext& context) {
   const std::vector<View>& views = session.model()->scene.views;
-  const auto offer = [&](const char* words, const std::vector<View>& offered) {
-    if (!radio_button(words, views == offered)) return;
+  const auto offer = [&](const Phrase& words, const std::vector<View>& offered) {
+    if (!radio_button(context.said(words).c_str(), views == offered)) return;
     SceneEdits edits = session.edits();
     edits.views = offered;
     context.requests.edits = edits;
   };
-  offer("space", {View::space});
+  offer(words::kSpace, {View::space});
   ImGui::SameLine();
-  offer("body", {View::body});
+  offer(words::kFromBody, {View::body});
   ImGui::SameLine();
-  offer("both", {View::space, View::body});
+  offer(words::kBoth, {View::space, View::body});
 }
 
-void choose_camera(LessonSession& session) {
+const Phrase& words_of_camera(std::string_view preset) {
+  if (preset == "front") return words::kFromFront;
+  if (preset == "side") return words::kFromSide;
+  if (preset == "top") return words::kFromTop;
+  return preset == "below" ? words::kFromBelow : words::kFromThreeQuarter;
+}
+
+void choose_camera(LessonSession& session, const PanelContext& context) {
   bool following = session.is_following();
-  if (ImGui::Checkbox("follow the body", &following)) session.set_following(following);
+  if (ImGui::Checkbox(context.said(words::kFollowBody).c_str(), &following)) session.set_following(following);
   tooltip_of_last(told(Command::follow));
   bool first = true;
   for (const CameraPreset& preset : camera_presets()) {
-    const float width = ImGui::CalcTextSize(preset.name.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const std::string name = context.said(words_of_camera(preset.name));
+    const float width = ImGui::CalcTextSize(name.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
     if (!first && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <
                       ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
       ImGui::SameLine();
     first = false;
-    if (ImGui::Button(preset.name.c_str())) session.set_camera(preset.camera);
+    if (ImGui::Button(name.c_str())) session.set_camera(preset.camera);
   }
-  if (ImGui::Button("the lesson's camera", {-1, 0})) session.set_camera(session.lesson_scene().camera);
-  tooltip_of_last("Or double-click the figure; drag to turn, wheel to zoom");
+  if (ImGui::Button(context.said(words::kLessonsCamera).c_str(), {-1, 0}))
+    session.set_camera(session.lesson_scene().camera);
+  tooltip_of_last(context.said(words::kOrDoubleClick));
 }
 
 void offer_overlay(PanelContext& context, Overlay overlay) {
@@ -85,14 +95,14 @@ void offer_overlay(PanelContext& context, Overlay overlay) {
   const float below = ImGui::GetCursorPosY();
   ImGui::SetCursorPos({left + height * 4 / 3 + ImGui::GetStyle().ItemSpacing.x, before});
   ImGui::BeginDisabled(is_lessons);
-  const bool is_changed = wrapped_checkbox(words_of(overlay), shown) && !is_lessons;
+  const bool is_changed = wrapped_checkbox(words_of(overlay, context.language()), shown) && !is_lessons;
   ImGui::EndDisabled();
   if (is_changed) {
     SceneEdits edits = session.edits();
     set_shown(edits, session.lesson_scene(), overlay, shown);
     context.requests.edits = edits;
   }
-  if (const std::string note = is_lessons ? kDrawnByLesson : unseen; !note.empty()) {
+  if (const std::string note = is_lessons ? context.said(words::kDrawnByLesson) : unseen; !note.empty()) {
     const float indent = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + height * 4 / 3 +
                          ImGui::GetStyle().ItemSpacing.x;
     ImGui::Indent(indent);
@@ -106,12 +116,12 @@ void offer_overlay(PanelContext& context, Overlay overlay) {
 
 void ShowPanel::draw(PanelContext& context, const std::string& refusal) {
   LessonSession& session = context.session;
-  if (!session.model()) return quiet_words("This step has no figure.");
-  heading("Seen from");
+  if (!session.model()) return quiet_words(context.said(words::kStepHasNoFigure));
+  heading(context.said(words::kSeenFrom).c_str());
   choose_views(session, context);
-  heading("Camera");
-  choose_camera(session);
-  heading("In space");
+  heading(context.said(words::kCamera).c_str());
+  choose_camera(session, context);
+  heading(context.said(words::kInSpace).c_str());
   if (!refusal.empty()) warning_words(refusal);
   const auto offer_all = [&](bool diagrams) {
     for (int i = 0; i < kOverlayCount; ++i)
@@ -119,7 +129,7 @@ void ShowPanel::draw(PanelContext& context, const std::string& refusal) {
         offer_overlay(context, overlay);
   };
   offer_all(false);
-  heading("Diagrams");
+  heading(context.said(words::kDiagrams).c_str());
   offer_all(true);
 }
 

@@ -6,6 +6,7 @@
 #include "app/window/controls/widgets.h"
 #include "base/words/answer_words.h"
 #include "base/words/page_words.h"
+#include "base/words/window_words.h"
 #include "lessons/reader/questions/state_task.h"
 #include "physics/body/euler.h"
 
@@ -232,7 +233,8 @@ void draw_size_chip(LessonSession& session, bool is_too_small, const Region& fig
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
-  if (ImGui::Button(session.is_enlarged() ? "Beside the text" : "Larger"))
+  const Phrase& phrase = session.is_enlarged() ? words::kBesideText : words::kLargerFigure;
+  if (ImGui::Button(std::string(phrase.in(session.lesson().about.language)).c_str()))
     session.set_enlarged(!session.is_enlarged());
   tooltip_of_last(told(Command::enlarge));
   ImGui::End();

@@ -3,6 +3,7 @@
 
 #include "app/session/symbol_note.h"
 #include "app/window/controls/widgets.h"
+#include "base/words/window_words.h"
 #include "lessons/reader/scene/varied_scene.h"
 
 #include <fmt/format.h>
@@ -52,10 +53,12 @@ SlidersUsed draw_number_sliders(LessonSession& session, const Region& figure, co
       changed = true;
     }
     used.is_held = used.is_held || ImGui::IsItemActive();
-    tooltip_of_last(fmt::format("From {} to {} {}; double click: the lesson's value. {}; {}",
-                                with_minus(fmt::format("{:.4g}", number.from)),
-                                with_minus(fmt::format("{:.4g}", number.to)), facts.unit, told(kKeys[i][0]),
-                                told(kKeys[i][1])));
+    const auto end = [&](double at) {
+      return with_decimals(with_minus(fmt::format("{:.4g}", at)), session.lesson().about.language);
+    };
+    tooltip_of_last(words::kRangeOfNumber.with(session.lesson().about.language,
+                                               {end(number.from), end(number.to), facts.unit}) +
+                    ' ' + told(kKeys[i][0]) + "; " + told(kKeys[i][1]));
     if (changed)
       if (const Status made = session.vary(i, value); !made) used.refusal = made.error();
     ImGui::PopID();

@@ -8,6 +8,7 @@
 #include "app/window/controls/widgets.h"
 #include "app/window/screen/figure_marks.h"
 #include "app/window/screen/number_sliders.h"
+#include "base/words/window_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -27,7 +28,10 @@ namespace {
 constexpr double kLongestFrame_s = 0.25;  // a window that was stopped does not jump
 constexpr double kTipReach = 16;          // px of the display at scale 1: so near the tip of ω is taken
 constexpr double kSymbolReach = 4;        // px round the ink of a symbol
-constexpr const char* kAnswerFirst = "Answer first, or press again to see it.";
+
+std::string said(const LessonSession& session, const Phrase& phrase) {
+  return std::string(phrase.in(session.lesson().about.language));
+}
 
 double now_s() {
   timespec time{};
@@ -214,8 +218,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   const auto command = command_of(key);
   if (!command) return false;
   if (key == "F5" && session.is_presenting()) {  // which begins a talk on every desk, and ends none
-    tell(session.has_speaker() ? "You are presenting already: Escape ends it, N closes your window."
-                               : "You are presenting already: Escape or P ends it.");
+    tell(said(session, session.has_speaker() ? words::kPresentingWithSpeaker : words::kPresenting));
     return true;
   }
   if (is_character(key) && (!session.preferences.letter_keys || panels_.awaits_text())) return false;
@@ -232,7 +235,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   }
   if (do_command(session, *command)) {
     if (session.is_presenting() && !was_presenting && !session.has_speaker())
-      tell("Escape ends the presentation; . is a black screen, L a spot, a number and Enter a stage.");
+      tell(said(session, words::kHowToPresent));
     panel_takes_focus_ = session.panel != before && session.panel != Panel::none;
     if (*command == Command::leave) {
       symbols_.leave(session);
@@ -250,7 +253,7 @@ bool Screen::holds_back(const LessonSession& session, bool is_repeated) {
   if (session.is_presenting() || !has_open_prediction(session)) return false;
   if (!is_repeated && held_back_ == session.place()) return false;
   if (!is_repeated) held_back_ = session.place();
-  tell(kAnswerFirst);
+  tell(said(session, words::kAnswerFirst));
   return true;
 }
 
@@ -271,15 +274,17 @@ bool Screen::press_while_presenting(LessonSession& session, std::string_view key
   const bool is_digit = key.size() == 1 && key[0] >= (digits_.empty() ? '1' : '0') && key[0] <= '9';
   if (is_digit && session.panel == Panel::none && digits_.size() < 4) {
     digits_ += key;
-    tell(fmt::format("Enter: go to stage {}", digits_));
+    tell(words::kEnterGoesToStage.with(session.lesson().about.language, {digits_}));
     return true;
   }
   const std::string digits = std::exchange(digits_, "");
   if (key == "Enter" && !digits.empty()) {
     const std::vector<std::size_t> stages = session.counted_stages();
     const std::size_t number = std::stoul(digits), last = stages.size();
-    tell(number >= 1 && number <= last ? ""
-                                       : fmt::format("There is no stage {}; the last is {}.", number, last));
+    tell(number >= 1 && number <= last
+             ? ""
+             : words::kNoSuchStage.with(session.lesson().about.language,
+                                        {std::to_string(number), std::to_string(last)}));
     if (number >= 1 && number <= last) session.go_to({stages[number - 1], 0});
     return true;
   }
@@ -295,7 +300,7 @@ void Screen::move_focus_on_page(LessonSession& session, int by) {
   const std::vector<const Page::Choice*> choices = open_choices(session);
   const auto symbols = static_cast<int>(page_->symbols().size()),
              all = symbols + static_cast<int>(choices.size());
-  if (all == 0) return tell("Nothing on this page has a note.");
+  if (all == 0) return tell(said(session, words::kNothingHasNote));
   int present = by > 0 ? static_cast<int>(page_->first_seen()) - 1 : all;
   if (const auto place = symbols_.place(); place && static_cast<int>(*place) < symbols)
     present = static_cast<int>(*place);
@@ -329,7 +334,7 @@ bool Screen::do_in_window(LessonSession& session, Command command) {
   switch (command) {
     case Command::switch_focus:
       if (session.panel == Panel::none) {
-        tell("No panel is open: the keys are the page's.");
+        tell(said(session, words::kNoPanelIsOpen));
       } else if (panels_.has_focus()) {
         ImGui::SetWindowFocus(nullptr);
       } else {
@@ -341,10 +346,10 @@ bool Screen::do_in_window(LessonSession& session, Command command) {
       move_focus_on_page(session, 1);
       break;
     case Command::scroll_down:
-      if (!page_->scroll(kScrolled * sizes_->em)) tell("The text ends here.");
+      if (!page_->scroll(kScrolled * sizes_->em)) tell(said(session, words::kTextEnds));
       break;
     case Command::scroll_up:
-      if (!page_->scroll(-kScrolled * sizes_->em)) tell("The text begins here.");
+      if (!page_->scroll(-kScrolled * sizes_->em)) tell(said(session, words::kTextBegins));
       break;
     case Command::copy_step:
       requests_.clipboard = words_of_step(session);
@@ -358,7 +363,7 @@ bool Screen::do_in_window(LessonSession& session, Command command) {
     case Command::explain:
       if (pick_in_focus(session)) break;
       if (symbols_.focused(page_->symbols()).empty())
-        tell("Tab goes to a symbol, a link or a choice first.");
+        tell(said(session, words::kTabFirst));
       else if (!follow(session, symbols_.focused(page_->symbols())))
         symbols_.explain();
       break;
@@ -418,8 +423,9 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     has_menu_ = false;  // what it offers is of the step before, and so is what was told
     if (!notices_.is_new()) tell("");
   }
-  if (notices_.told() == kAnswerFirst && held_back_ != session.place()) tell("");
-  if (notices_.told() == kAnswerFirst && (session.is_presenting() || !has_open_prediction(session))) tell("");
+  const bool is_held =
+      held_back_ == session.place() && !session.is_presenting() && has_open_prediction(session);
+  if (notices_.told() == said(session, words::kAnswerFirst) && !is_held) tell("");
   notices_.begin_frame(clock_s_);
   if (session.is_black()) has_menu_ = false;  // nothing of it is seen
   stage_title_ = speech_->words_of_title(session.stage());
@@ -443,7 +449,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     do_command(session, Command::next_step);
   lay_out_sliders(session);
   use_pointer(session, page_region(session, frame.size));
-  if (!requests_.clipboard.empty()) copy();
+  if (!requests_.clipboard.empty()) copy(session);
   if (requests_.save_as) save(session);
   if (!requests_.slides.empty()) name_slides(session);
   symbols_.draw_note(session, *page_, sizes_->em);
@@ -664,7 +670,8 @@ void Screen::save(LessonSession& session) {
     const auto path = save_as(session, *requests_.save_as, panels_.save().options, *folder, *renderer_);
     std::error_code unknown;
     const auto real = path ? std::filesystem::canonical(*path, unknown) : "";
-    tell(path ? "saved: " + (unknown ? *path : real).string() : "not saved: " + path.error());
+    tell(path ? words::kSavedAs.with(session.lesson().about.language, {(unknown ? *path : real).string()})
+              : "not saved: " + path.error());
   }
   session.light(lit);
   requests_.save_as.reset();
@@ -700,10 +707,10 @@ std::string Screen::words_of_block(const Block& block) const {
       block);
 }
 
-void Screen::copy() {
+void Screen::copy(const LessonSession& session) {
   ImGui::SetClipboardText(requests_.clipboard.c_str());
   requests_.clipboard.clear();
-  tell("copied");
+  tell(said(session, words::kCopied));
 }
 
 double Screen::seconds_to_wake(const LessonSession& session) const {

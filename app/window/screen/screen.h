@@ -130,7 +130,7 @@ class Screen {
   bool follow(LessonSession& session, const std::string& link);
   void save(LessonSession& session);
   void name_slides(const LessonSession& session);
-  void copy();
+  void copy(const LessonSession& session);
   std::string words_of_step(const LessonSession& session) const;
   std::string words_of_block(const Block& block) const;
   void draw_spot(const LessonSession& session) const;

@@ -9,6 +9,7 @@
 #include "base/words/edition_words.h"
 #include "base/words/page_words.h"
 #include "base/words/speaker_words.h"
+#include "base/words/window_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -156,13 +157,17 @@ ScreenOfSpeaker::Areas ScreenOfSpeaker::areas_of(Size size) const {
 void ScreenOfSpeaker::draw_controls(LessonSession& session, const Region& region) {
   begin_area("walk", region);
   const float em = sizes_->em;
+  const auto said = [&](const Phrase& phrase) {
+    return std::string(phrase.in(session.lesson().about.language));
+  };
   ImGui::BeginDisabled(!session.previous_place());
-  if (icon_button("back", Icon::back, "Back", told(Command::previous_step), 4.9F * em))
+  if (icon_button("back", Icon::back, said(words::kBack), told(Command::previous_step), 4.9F * em))
     session.previous_step();
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(!session.next_place());
-  if (icon_button("next", Icon::next, "Next", told(Command::next_step), 4.9F * em)) session.next_step();
+  if (icon_button("next", Icon::next, said(words::kNext), told(Command::next_step), 4.9F * em))
+    session.next_step();
   ImGui::EndDisabled();
   ImGui::SameLine();
   const bool playing = session.is_playing();
@@ -170,17 +175,18 @@ void ScreenOfSpeaker::draw_controls(LessonSession& session, const Region& region
   if (icon_button("play", playing ? Icon::pause : Icon::play, "", told(Command::play_pause), 2.1F * em))
     session.set_playing(!playing);
   ImGui::EndDisabled();
-  same_line_if_fits("Black");
-  if (toggle_button("Black", session.is_black(), told(Command::black)))
+  same_line_if_fits(said(words::kBlack).c_str());
+  if (toggle_button(said(words::kBlack).c_str(), session.is_black(), told(Command::black)))
     session.set_black(!session.is_black());
-  same_line_if_fits("Spot");
-  if (toggle_button("Spot", session.is_pointing(), told(Command::point)))
+  same_line_if_fits(said(words::kSpot).c_str());
+  if (toggle_button(said(words::kSpot).c_str(), session.is_pointing(), told(Command::point)))
     session.set_pointing(!session.is_pointing());
-  same_line_if_fits("Freeze");
-  if (toggle_button("Freeze", session.is_frozen(), told(Command::freeze)))
+  same_line_if_fits(said(words::kFreeze).c_str());
+  if (toggle_button(said(words::kFreeze).c_str(), session.is_frozen(), told(Command::freeze)))
     session.set_frozen(!session.is_frozen());
-  same_line_if_fits("End");
-  if (toggle_button("End", false, told(Command::leave))) session.set_presenting(false);
+  same_line_if_fits(said(words::kEndOfTalk).c_str());
+  if (toggle_button(said(words::kEndOfTalk).c_str(), false, told(Command::leave)))
+    session.set_presenting(false);
   draw_clock(session);
   controls_height_ = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
   ImGui::End();
@@ -194,7 +200,7 @@ void ScreenOfSpeaker::draw_clock(const LessonSession& session) {
   ImGui::PopFont();
   ImGui::SameLine();
   if (ImGui::SmallButton(std::string(words::kFromZero.in(language)).c_str())) begun_s_ = clock_s_;
-  tooltip_of_last("Begin to count the time again");
+  tooltip_of_last(std::string(words::kCountAgain.in(language)));
   const std::string where =
       fmt::format("{}; {}, {}", count_text(session), stage_count(session), step_count(session));
   same_line_if_fits(where.c_str());

@@ -352,5 +352,11 @@ TEST(Command, ChangesHowItIsShown) {
   EXPECT_NEAR(session.preferences.text_scale, 1, 1e-15);
 }
 
+TEST(WhyIdle, IsSaidInTheLanguageOfTheLesson) {
+  const LessonSession session(test::loaded_lesson("intermediate-axis.de"));
+  EXPECT_EQ(why_idle(session, Command::previous_step), "Das ist der Anfang.");
+  EXPECT_EQ(why_idle(session, Command::undo), "Es gibt keine Änderung, die rückgängig zu machen wäre.");
+}
+
 }  // namespace
 }  // namespace polhode
