@@ -75,7 +75,9 @@
 
   if (navigator.clipboard)
     for (const equation of document.querySelectorAll(".equation")) {
-      const tex = equation.querySelector("annotation");
+      const math = equation.querySelector("math");
+      const note = equation.querySelector("annotation");
+      const tex = math && (math.dataset.tex || (note && note.textContent.trim()));
       if (!tex) continue;
       const tag = equation.querySelector(".tag");
       const button = document.createElement("button");
@@ -83,10 +85,10 @@
       button.className = "tex";
       button.textContent = "TeX";
       // Heard one after the other, buttons differ: an equation without a number is named by its words.
-      const name = tag ? tag.textContent : equation.querySelector("math").getAttribute("alttext");
+      const name = tag ? tag.textContent : math.getAttribute("alttext");
       button.setAttribute("aria-label", words.copyTexOf.replace("{0}", name));
       button.addEventListener("click", async () => {
-        await navigator.clipboard.writeText(tex.textContent.trim());
+        await navigator.clipboard.writeText(tex);
         button.textContent = words.copied;
         setTimeout(() => { button.textContent = "TeX"; }, 2000);
       });

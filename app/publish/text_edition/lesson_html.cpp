@@ -49,9 +49,9 @@ int signs_of(std::string_view mathml) {
   return signs;
 }
 
-/// Some 300 px at the size of the text: what is longer may be wider than a narrow screen, where browsers do
-/// not break a formula.
-constexpr int kMostSigns = 20;
+/// Some 250 px at the size of the text, 300 px with its letters spaced as readers may (WCAG 2.2, 1.4.12):
+/// what is longer may be wider than a narrow screen, where browsers break a formula only if it is in pieces.
+constexpr int kMostSigns = 16;
 
 /// Browsers break lines before and after a formula, even where a bracket, a full stop or a unit touches it:
 /// those stay with it, as far as that is not too long for a narrow screen.
@@ -232,13 +232,18 @@ std::string LessonHtml::formula(const Math& math, std::string_view tex, bool dis
     return found == lesson_.symbols.end() ? "" : class_of_role(found->second.role);
   };
   const auto address = [this](std::string_view link) { return address_of(link); };
-  const std::string html = mathml(numbers_.shown.put_into(math), {.display = display,
-                                                                  .symbols = &symbols_,
-                                                                  .class_of = class_of,
-                                                                  .address_of = address,
-                                                                  .words = words,
-                                                                  .tex = tex_to_copy(math, tex)});
-  return !display && signs_of(html) > kMostSigns ? "<span class=\"long\">" + html + "</span>" : html;
+  const Math shown = numbers_.shown.put_into(math);
+  MathMlStyle style{.display = display,
+                    .symbols = &symbols_,
+                    .class_of = class_of,
+                    .address_of = address,
+                    .words = words,
+                    .tex = tex_to_copy(math, tex)};
+  const std::string html = mathml(shown, style);
+  if (signs_of(html) <= kMostSigns) return html;
+  style.in_pieces = true;
+  const std::string broken = mathml(shown, style);
+  return display ? broken : "<span class=\"long\">" + broken + "</span>";
 }
 
 /// As other programs read it: with its numbers, and without what only this one knows.

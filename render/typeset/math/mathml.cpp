@@ -106,11 +106,7 @@ class Writer {
       : style_(style), symbols_(style.symbols), has_links_(!math.references.empty()) {}
 
   std::string run(const MathNode& root) {
-    std::string attributes = style_.display ? " display=\"block\"" : "";
-    // A name would hide the links that stand in it.
-    if (!style_.words.empty() && !has_links_) attributes += attribute("aria-label", style_.words);
-    if (!style_.words.empty()) attributes += attribute("alttext", style_.words);
-    text_ = "<math" + attributes + '>';
+    text_ = (style_.display ? "<math display=\"block\"" : "<math") + attributes_of_words() + '>';
     if (!style_.tex.empty()) text_ += "<semantics>";
     argument(root);
     if (!style_.tex.empty())
@@ -119,7 +115,32 @@ class Writer {
     return std::move(text_) + "</math>";
   }
 
+  /// In rows beside each other; empty: it would be one row.
+  std::string run_in_pieces(const MathNode& root) {
+    const bool is_row = root.kind == Kind::row && !root.children.empty();
+    const bool is_display = is_row && root.children[0].kind == Kind::style && root.children[0].amount == 0;
+    // Firefox breaks no line of a block of its own.
+    text_ = "<math class=\"pieces\"" + attributes_of_words();
+    if (is_display || style_.display) text_ += " displaystyle=\"true\"";
+    if (!style_.tex.empty()) text_ += attribute("data-tex", style_.tex);
+    text_ += "><mrow>";
+    is_in_pieces_ = true;
+    if (is_row)
+      atoms(root.children, is_display ? 1 : 0);
+    else
+      atoms({root});
+    return has_broken_ ? std::move(text_) + "</mrow></math>" : std::string();
+  }
+
  private:
+  std::string attributes_of_words() const {
+    std::string attributes;
+    // A name would hide the links that stand in it.
+    if (!style_.words.empty() && !has_links_) attributes += attribute("aria-label", style_.words);
+    if (!style_.words.empty()) attributes += attribute("alttext", style_.words);
+    return attributes;
+  }
+
   // ---- Elements
 
   void open(std::string_view name, std::string_view attributes = {}) {
@@ -141,7 +162,9 @@ class Writer {
   template <class Do>
   void around(std::string_view name, std::string_view attributes, const Do& inside) {
     open(name, attributes);
+    ++depth_;
     inside();
+    --depth_;
     close(name);
   }
 
@@ -173,6 +196,38 @@ class Writer {
 
   void atoms(const std::vector<MathNode>& children) { atoms(children, 0); }
 
+  static MathClass class_of_atom(const MathNode& n) {
+    if (n.kind == Kind::arrow || (n.kind == Kind::cancel && n.character == U'n')) return MathClass::relation;
+    return n.kind == Kind::scripts ? without_groups(n.children[0]).atom : n.atom;
+  }
+
+  bool is_place_to_break(const MathNode& n) const {
+    constexpr std::u32string_view kSums = U"+−±∓";
+    constexpr double kQuad_em = 0.99;
+    if (n.kind == Kind::space) return n.amount > kQuad_em;
+    const MathClass atom = class_of_atom(n);
+    const bool is_sum =
+        atom == MathClass::binary && n.kind == Kind::symbol && kSums.find(n.character) != kSums.npos;
+    return atom == MathClass::relation || (is_sum && has_operand_before());
+  }
+
+  /// At the top level, before what is written next.
+  void break_before(const MathNode& n) {
+    if (!is_in_pieces_ || depth_ > 0) return;
+    if (has_atom_ && brackets_ == 0 && !is_between_bars_ && is_place_to_break(n)) {
+      text_ += "</mrow><mrow>";
+      has_broken_ = true;
+      has_atom_ = false;
+    }
+    has_atom_ = has_atom_ || n.kind != Kind::space;
+    const MathClass atom = class_of_atom(n);
+    if (atom == MathClass::opening) ++brackets_;
+    if (atom == MathClass::closing) brackets_ = std::max(0, brackets_ - 1);
+    const MathNode& sign = n.kind == Kind::scripts ? without_groups(n.children[0]) : n;
+    if (sign.kind == Kind::symbol && sign.character == U'|' && atom == MathClass::ordinary)
+      is_between_bars_ = !is_between_bars_;
+  }
+
   /// Of what only colours, names or strikes out: its atoms are those of the row that it stands in.
   void contents(const MathNode& n) {
     for (const MathNode& child : n.children)
@@ -186,6 +241,7 @@ class Writer {
     for (std::size_t i = first; i < children.size(); ++i) {
       const MathNode& child = children[i];
       next_ = i + 1 < children.size() ? &children[i + 1] : nullptr;
+      break_before(child);
       if (child.kind == Kind::style) {  // of the rest
         static constexpr std::array<std::string_view, 4> kStyles = {
             " displaystyle=\"true\" scriptlevel=\"0\"", " displaystyle=\"false\" scriptlevel=\"0\"",
@@ -391,6 +447,7 @@ class Writer {
   void term(const MathNode& n) {
     const std::string address =
         style_.address_of && n.text.find('#') != std::string::npos ? style_.address_of(n.text) : "";
+    if (address.empty() && is_in_pieces_ && depth_ == 0) return contents(n);
     if (address.empty()) return around("mrow", "", [&] { contents(n); });
     around("mtext", "", [&] { element("a", attribute("href", address), words_of(n)); });
     before_ = MathClass::ordinary;
@@ -690,12 +747,20 @@ class Writer {
   std::string text_;
   MathClass before_ = MathClass::opening;  ///< of what was written last
   const MathNode* next_ = nullptr;         ///< what comes next in the row
+  int depth_ = 0;                          ///< so many elements are open, in the row of all or in a piece
+  bool is_in_pieces_ = false, has_broken_ = false, is_between_bars_ = false;
+  bool has_atom_ = false;  ///< the piece: more than spaces
+  int brackets_ = 0;       ///< so many are open at the top level
 };
 
 }  // namespace
 
 std::string mathml(const Math& math, const MathMlStyle& style) {
-  return math.root ? Writer(math, style).run(*with_decimals(math)) : std::string();
+  if (!math.root) return {};
+  const std::shared_ptr<const MathNode> root = with_decimals(math);
+  if (style.in_pieces)
+    if (std::string html = Writer(math, style).run_in_pieces(*root); !html.empty()) return html;
+  return Writer(math, style).run(*root);
 }
 
 }  // namespace polhode

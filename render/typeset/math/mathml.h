@@ -7,6 +7,7 @@
 //   box            in a frame
 //   vec            an arrow above a letter, which is shorter than one between two
 //   left center right   how the cells of a table stand
+//   pieces         on `math`: its rows may stand below each other
 //   aligned cases matrix small gathered array   on a table: which environment it is
 //   line-above line-below line-left line-right  of a cell
 #pragma once
@@ -30,6 +31,11 @@ struct MathMlStyle {
   std::function<std::string(std::string_view link)> address_of{};
   std::string words{};  ///< what a reader says of all of it (spoken); empty: what the parts say
   std::string tex{};    ///< to copy; empty: there is none
+  /// Whether a style sheet may break its line: before relations and sums at its top level, as set_math does,
+  /// a row begins, an element of `math` itself, which browsers ask for. `tex` is then the attribute data-tex,
+  /// as the element that annotates stands between. A formula without such a place is written as if this were
+  /// not asked for.
+  bool in_pieces = false;
 };
 
 /// One `math` element, well-formed as XML too: nothing of the formula can end it. Without the tag. Numbers

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The text edition in a real browser: how it fits, what it judges, and that it runs nothing else.
 #include "tests/app/publish/browser.h"
+#include "tests/app/publish/example_deck.h"
 #include "tests/app/publish/firefox.h"
 #include "tests/app/publish/text_edition/example_edition.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -111,6 +113,81 @@ TEST_F(ReaderInBrowser, KeepsMarksBesideTheirFormulas) {
         0);
     EXPECT_LE(value_of("document.documentElement.scrollWidth").get<int>(), width);
   }
+}
+
+/// An edition with a long formula, by itself and in a line.
+std::string lesson_of_long_formulas() {
+  const std::string tex =
+      "\\frac{dT}{dt} = I_1\\,\\omega_1\\,\\dot\\omega_1 + I_2\\,\\omega_2\\,\\dot\\omega_2 + "
+      "I_3\\,\\omega_3\\,\\dot\\omega_3 \\qquad (\\vec\\omega \\ne 0)";
+  std::string lesson = kEditionLesson;
+  const std::string first = "First **words**";
+  return lesson.replace(lesson.find(first), first.size(),
+                        "See $" + tex + "$ here.\n\n```math long\n" + tex + "\n```\n\n" + first);
+}
+
+template <class AnyBrowser>
+void expect_broken_lines(AnyBrowser& browser) {
+  const std::string rows =
+      "[...document.querySelectorAll('.pieces')].map((math) => new Set([...math.children].map((row) => "
+      "Math.round(row.getBoundingClientRect().bottom / 20))).size)";
+  const std::string scrolling =
+      "[...document.querySelectorAll('.formula, .long')].filter((part) => part.scrollWidth > "
+      "part.clientWidth + 1).length";
+  browser.resize(320, 740);
+  EXPECT_EQ(browser.value_of(scrolling), 0);
+  for (const Json& lines : browser.value_of(rows)) EXPECT_GE(lines.template get<int>(), 2);
+  EXPECT_EQ(browser.value_of("document.querySelectorAll('.pieces').length"), 2);
+  browser.resize(1280, 740);
+  EXPECT_EQ(browser.value_of("[...document.querySelectorAll('.formula > .pieces')].map((math) => "
+                             "math.getBoundingClientRect().height < 80)"),
+            Json({true}))
+      << "one line where there is room";
+}
+
+TEST_F(ReaderInBrowser, BreaksLongFormulas) {
+  open(lesson_of_long_formulas());
+  expect_broken_lines(*browser_);
+  value_of("navigator.clipboard.writeText = (text) => { window.copied = text; return Promise.resolve(); }");
+  value_of(
+      "document.querySelector('.formula > "
+      ".pieces').closest('.equation').querySelector('button.tex').click()");
+  EXPECT_THAT(value_of("window.copied").get<std::string>(), testing::StartsWith("\\frac{dT}{dt} = I_1"));
+  EXPECT_THAT(value_of("window.copied").get<std::string>(), testing::EndsWith("\\ne 0)"));
+}
+
+TEST_F(ReaderInBrowser, BreaksLongFormulasInFirefox) {
+  const auto firefox = Firefox::start(360, 740);
+  if (!firefox) GTEST_SKIP() << "no Firefox is installed";
+  open(lesson_of_long_formulas());
+  firefox->open(folder_ / "page.html");
+  expect_broken_lines(*firefox);
+}
+
+std::string last_word_of(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \n") + 1;
+  return text.substr(0, end).substr(text.find_last_of(" \n", end - 1) + 1);
+}
+
+// A figure begins beside its heading, so that four steps stand on a page.
+TEST_F(ReaderInBrowser, PrintsNumberedPagesThatAreFull) {
+  if (!has_program("pdftotext")) GTEST_SKIP() << "pdftotext is not installed";
+  std::string lesson = kEditionLesson;
+  lesson = lesson.substr(0, lesson.find("# How "));
+  constexpr int kSteps = 9;
+  for (int i = 0; i < kSteps; ++i)
+    lesson += fmt::format(
+        "{}## Heading {}\nA line.\n```scene\nshow = [\"omega\"]\ncaption = \"At 0.{} s\"\nat = 0.{}\n```\n",
+        i == 0 ? "# Stage {s}\n" : "---\n", i + 1, i, i);
+  open(lesson);
+  write_text(folder_ / "printed.pdf", browser_->print());
+  const std::string text = shell("pdftotext -layout '" + (folder_ / "printed.pdf").string() + "' -").out;
+  std::vector<std::string> pages;
+  for (std::size_t at = 0; at < text.size(); at = text.find('\f', at) + 1)
+    pages.push_back(text.substr(at, text.find('\f', at) - at));
+  ASSERT_EQ(pages.size(), 3u) << "three steps below the title, four, and the others";
+  for (std::size_t i = 0; i < pages.size(); ++i)
+    EXPECT_EQ(last_word_of(pages[i]), std::to_string(i + 1)) << pages[i];
 }
 
 TEST_F(ReaderInBrowser, JudgesChoices) {

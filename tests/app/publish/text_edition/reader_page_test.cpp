@@ -424,6 +424,7 @@ TEST(Reader, EveryControlHasAName) {
   std::set<std::string> named;
   for (const XmlNode* label : all_named(edition().root, "label")) named.insert(label->attribute("for"));
   for (const char* control : {"input", "select"})
+  for (const XmlNode* math : all_named(edition().root, "math")) tex.insert(math->attribute("data-tex"));
     for (const XmlNode* node : all_named(edition().root, control))
       EXPECT_TRUE(named.contains(node->attribute("id"))) << node->attribute("id");
 }

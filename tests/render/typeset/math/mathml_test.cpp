@@ -188,6 +188,42 @@ TEST(MathMl, SaysItsWordsAndKeepsItsTex) {
       "&amp; z</annotation></semantics></math>");
 }
 
+/// The rows that a line may be broken into, each as the text of its signs.
+std::vector<std::string> pieces(const std::string& tex) {
+  const XmlNode root = read_xml(mathml(parsed(tex), {.tex = tex, .in_pieces = true}));
+  std::vector<std::string> all;
+  for (const XmlNode& row : all_named(root, "math").front()->children) {
+    std::string text;
+    for_each_node(row, [&](const XmlNode& node) { text += node.text; });
+    all.push_back(text);
+  }
+  return all;
+}
+
+TEST(MathMl, ALongLineMayBeBrokenBeforeRelationsAndSums) {
+  using ::testing::ElementsAre;
+  EXPECT_THAT(pieces("a = b + c - d"), ElementsAre("a", "=b", "+c", "−d"));
+  EXPECT_THAT(pieces("-a\\cdot b = -b"), ElementsAre("−a⋅b", "=−b"));
+  EXPECT_THAT(pieces("|a + b| = (c + d)^2 + \\left(e + f\\right)"),
+              ElementsAre("|a+b|", "=(c+d)2", "+(e+f)"));
+  EXPECT_THAT(pieces("\\term{one}{a = \\frac{b + c}{d}} \\ne e"), ElementsAre("a", "=b+cd", "≠e"));
+  EXPECT_THAT(pieces("\\displaystyle a = b"), ElementsAre("a", "=b"));
+  EXPECT_THAT(pieces("a = b \\qquad (c = 0)"), ElementsAre("a", "=b", "(c=0)"));
+}
+
+TEST(MathMl, BrokenOrNotItIsTheSame) {
+  const std::string tex = "a = \\frac{b + c}{d}", whole = written(tex);
+  std::string broken = mathml(parsed(tex), {.tex = tex, .in_pieces = true});
+  EXPECT_THAT(broken, HasSubstr("<math class=\"pieces\" data-tex=\"" + tex + "\"><mrow>"));
+  EXPECT_THAT(broken, Not(HasSubstr("annotation")));
+  broken.erase(broken.find("</mrow><mrow>"), std::string("</mrow><mrow>").size());
+  EXPECT_EQ(broken.substr(broken.find('>')), whole.substr(whole.find('>')));
+  EXPECT_THAT(mathml(parsed("\\displaystyle a = b"), {.in_pieces = true}),
+              HasSubstr(" displaystyle=\"true\"><mrow>"));
+  EXPECT_EQ(mathml(parsed("a\\,b"), {.tex = "x", .in_pieces = true}), mathml(parsed("a\\,b"), {.tex = "x"}))
+      << "no place to break";
+}
+
 TEST(MathMl, AReferenceIsALinkThatANameDoesNotHide) {
   const Math math = with_references(parsed("x\\ \\eqref{law}"), {{"law", {"#a/law", "5"}}});
   const auto address = [](std::string_view link) { return std::string(link); };
