@@ -4,23 +4,40 @@
 (() => {
   const plain = (text) => text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
   const said = JSON.parse(document.body.dataset.words);
+  // A formula as one types it: "dl/dt=n" of dL/dt = N, "domega/dt". Left out is what may be: brackets, signs of products,
+  // the marks of scripts.
+  const names = { "ω": "omega", "θ": "theta", "φ": "phi", "ϕ": "phi", "ψ": "psi", "α": "alpha", "β": "beta", "λ": "lambda", "π": "pi", "ρ": "rho", "σ": "sigma", "τ": "tau", "−": "-", "×": "x" };
+  const typed = (text) => plain(text.normalize("NFKD")).replace(/./gu, (c) => names[c] || c).replace(/[\s*∗·⋅^_(){}[\]→ˆ˙¨\u2061-\u2064]/g, "");
+  const lineOf = (node) => {
+    if (node.nodeName === "annotation") return "";
+    const parts = [...node.children].map(lineOf);
+    if (node.nodeName === "mfrac") return parts.join("/");
+    if (node.nodeName === "msqrt") return "sqrt" + parts.join("");
+    return parts.length > 0 ? parts.join("") : node.textContent;
+  };
   const form = document.getElementById("search");
   const sought = document.getElementById("sought");
   const found = document.getElementById("found");
   const parts = [...document.querySelectorAll("#all details")].map((details) => ({
     details,
-    entries: [...details.querySelectorAll("li")].map((item) => ({ item, text: plain(item.dataset.words) })),
+    entries: [...details.querySelectorAll("li")].map((item) => ({
+      item,
+      text: plain(item.dataset.words),
+      formulas: [...item.querySelectorAll("math")].map((math) => typed(lineOf(math))),
+    })),
   }));
 
   const show = () => {
+    const formula = typed(sought.value);
+    const isFormula = formula.length > 1 && /[^\p{L}]/u.test(formula);
     const words = plain(sought.value).split(/\s+/).filter((word) => word !== "");
     const isSearching = words.length > 0;
     document.documentElement.classList.toggle("searching", isSearching);
     let count = 0;
     for (const { details, entries } of parts) {
       let here = 0;
-      for (const { item, text } of entries) {
-        item.hidden = !words.every((word) => text.includes(word));
+      for (const { item, text, formulas } of entries) {
+        item.hidden = !words.every((word) => text.includes(word)) && !(isFormula && formulas.some((one) => one.includes(formula)));
         if (!item.hidden) ++here;
       }
       details.open = isSearching && here > 0;

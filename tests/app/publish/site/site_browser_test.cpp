@@ -56,6 +56,12 @@ TEST_F(SiteInBrowser, FindsHeadingsAndEquations) {
   EXPECT_NE(value_of("getComputedStyle(document.getElementById('lessons')).display"), "none");
 }
 
+TEST_F(SiteInBrowser, FindsEquationsAsTheyAreTyped) {
+  for (const char* typed : {"dL/dt", "dl/dt = n", "dL/dt=N", "=N"})
+    EXPECT_EQ(found(typed), Json::array({"edition.html#moves/law"})) << typed;
+  EXPECT_EQ(found("dN/dt"), Json::array());
+}
+
 TEST_F(SiteInBrowser, EnterGoesToTheFirstThatIsFound) {
   found("questions");
   value_of("document.getElementById('sought').focus()");
