@@ -389,7 +389,11 @@ class FormulaSpeaker {
         first = static_cast<char>(first - 'A' + 'a');
       return word(words::kCapital.with(language_, {known}));
     }
-    if (!known.empty()) return word(known);
+    if (!known.empty()) {
+      word(known);
+      if (n.atom == MathClass::large && !has_limits_) word(words::kOf);
+      return;
+    }
     // Upright letters are those of a word, or of a unit: kg.
     const bool is_upright = n.alphabet == Alphabet::upright && n.atom == MathClass::ordinary;
     std::string letter;
@@ -447,7 +451,9 @@ class FormulaSpeaker {
   }
 
   void large_operator(const MathNode& n, const MathNode& base) {
+    const bool before = std::exchange(has_limits_, true);
     node(base);
+    has_limits_ = before;
     const MathNode& below = n.children[1];
     const MathNode& above = n.children[2];
     if (base.kind == Kind::text && above.absent()) return aside(words::kLimitOver, below);
@@ -531,6 +537,8 @@ class FormulaSpeaker {
   std::string text_;
   bool last_is_digit_ = false;
   bool last_is_upright_ = false;
+  /// Whether what a sum runs over is said behind the operator that is said now.
+  bool has_limits_ = false;
   /// Whether something multiplies what is said now.
   bool factor_follows_ = false;
 };

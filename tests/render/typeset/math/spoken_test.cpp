@@ -36,6 +36,7 @@ TEST(SpokenMath, IsWhatAReaderWouldSay) {
   EXPECT_EQ(said("a \\xrightarrow{c} d"), "a goes to by c d");
   EXPECT_EQ(said("\\mathbf I^{-1}"), "I inverse");
   EXPECT_EQ(said("\\sum_{i=1}^n a_i"), "the sum from i equals 1 to n of a sub i");
+  EXPECT_EQ(said("\\sum m_i a_i"), "the sum of m sub i a sub i") << "over what is not printed";
   EXPECT_EQ(said("\\begin{pmatrix} 1 & 2 \\\\ 3 & 4 \\end{pmatrix}"), "the matrix with rows 1, 2; 3, 4");
   EXPECT_EQ(said("a_i \\qquad (i = 1, 2)"), "a sub i, open parenthesis i equals 1, 2 close parenthesis");
   EXPECT_EQ(said("\\text{tempting:}\\quad a = 0"), "tempting: a equals 0");
