@@ -48,6 +48,7 @@ class Course {
     for (const double value : curve.y) {
       leaves_ =
           plot.range && std::isfinite(value) && !(plot.range->first <= value && value <= plot.range->second);
+      is_outside_ = is_outside_ || leaves_;
       if (!std::isfinite(value) || leaves_) continue;  // what lies outside is not drawn
       is_cut_ = is_cut_ || (plot.log_floor && value < *plot.log_floor);
       y_.push_back(height_of(value));
@@ -57,7 +58,8 @@ class Course {
   }
 
   std::string words() const {
-    if (y_.empty()) return std::string(words::kNotDefined.in(language_));
+    if (y_.empty())
+      return std::string((is_outside_ ? words::kOutsideThePlot : words::kNotDefined).in(language_));
     if (is_zero_) return words::kStaysAt.with(language_, {"0" + unit()});
     constexpr double kLeastChange = 1e-3;
     if (range_.height() <= kLeastChange * height_of_plot())
@@ -151,8 +153,9 @@ class Course {
   Language language_;
   std::vector<double> y_;
   bool is_zero_ = true;
-  bool is_cut_ = false;  ///< something lies below the axis of a logarithmic plot
-  bool leaves_ = false;  ///< its end lies outside of what is drawn
+  bool is_cut_ = false;      ///< something lies below the axis of a logarithmic plot
+  bool is_outside_ = false;  ///< something lies outside of what is drawn
+  bool leaves_ = false;      ///< its end lies outside of what is drawn
   Range range_;
 };
 

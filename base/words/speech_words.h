@@ -108,6 +108,7 @@ inline constexpr Phrase kGoesUpAndDown{"goes up and down between {0} and {1}, wi
                                        "geht auf und ab zwischen {0} und {1}, mit {2}"};
 inline constexpr Phrase kAMaximum{"one maximum", "einem Maximum"};
 inline constexpr Phrase kMaxima{"{0} maxima", "{0} Maxima"};
+inline constexpr Phrase kOutsideThePlot{"outside the range shown", "außerhalb des gezeigten Bereichs"};
 inline constexpr Phrase kThenLeaves{", then leaves the plot", ", und verlässt dann das Bild"};
 inline constexpr Phrase kPathBetween{"a path between {0} and {1}", "eine Bahn zwischen {0} und {1}"};
 inline constexpr Phrase kPathCloses{", which comes back to where it began",

@@ -64,6 +64,7 @@ TEST(PlotWords, AreOfTheAxisThatIsDrawn) {
 TEST(PlotWords, WhatIsNotDrawnIsNotTold) {
   EXPECT_EQ(course([](double t) { return 10.0 * t; }, {.range = std::pair(0.0, 5.0)}),
             "rises from 0 to 5, then leaves the plot");
+  EXPECT_EQ(course([](double) { return 10.0; }, {.range = std::pair(0.0, 5.0)}), "outside the range shown");
   EXPECT_EQ(course([](double t) { return 1.0 - std::cos(4.0 * std::numbers::pi * t); }, {.unit = "J"}),
             "oscillates between 0 and 2 joules, with 2 maxima");
 }
