@@ -2,6 +2,8 @@
 #include "app/publish/lesson_deck.h"
 
 #include "app/narration/step_transcript.h"
+#include "app/page/text/recalled_equations.h"
+#include "base/ascii.h"
 #include "base/words/page_words.h"
 #include "render/image/png_summary.h"
 
@@ -80,6 +82,16 @@ void lead_to_slides(const Lesson& lesson, const ExportPlan& plan, std::vector<St
   }
 }
 
+/// What stands at the foot of a slide of one step.
+void add_recalled(const Lesson& lesson, const SpeechText& speech, const PlannedPicture& picture,
+                  std::vector<StepNote>& notes) {
+  const Equation* recalled =
+      recalled_on_slide({.lesson = lesson, .stage = *picture.stage, .step = picture.step, .size = {}});
+  if (recalled != nullptr)
+    notes.push_back({StepNote::Kind::equation, capitalized(words::kFromBefore.in(lesson.about.language)) +
+                                                   ' ' + speech.words(*recalled)});
+}
+
 /// What the lesson cites, behind its last words.
 void add_references(const Lesson& lesson, std::vector<StepNote>& notes) {
   for (const Reference& reference : lesson.references)
@@ -112,6 +124,8 @@ Result<Deck> deck_of(const Lesson& lesson, const ExportOptions& options, const E
       slide.live = live_attributes(*picture.stage, picture.step);
     const Steps said = steps_said(plan, i);
     slide.notes = notes_of(speech, *picture.stage, said.first, said.last);
+    if (options.what == What::page && options.profile == Profile::slides && options.each == Each::step)
+      add_recalled(lesson, speech, picture, slide.notes);
     lead_to_slides(lesson, plan, slide.notes);
     if (i + 1 == plan.pictures.size()) add_references(lesson, slide.notes);
     deck.slides.push_back(std::move(slide));

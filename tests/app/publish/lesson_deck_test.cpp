@@ -126,6 +126,24 @@ TEST(LessonDeck, WhateverIsSaidIsSaidOnce) {
     }
 }
 
+// 29 November 2026: who spoke to a slide had not what stands at its foot.
+TEST(LessonDeck, NotesHaveWhatASlideGoesOnFrom) {
+  const auto lesson = check_lesson(kLesson, "notes.md");
+  ASSERT_TRUE(lesson.lesson);
+  const ScratchFolder folder;
+  const auto notes_of_second = [&](const ExportOptions& options) {
+    const ExportPlan plan = plan_export(*lesson.lesson, options).value();
+    for (const PlannedPicture& picture : plan.pictures)
+      slide_of(folder, fs::path(picture.file).stem(), Image{{2, 1}, std::vector<std::uint8_t>(8, 255)});
+    return texts(deck_of(*lesson.lesson, options, plan, folder.path())->slides.at(1).notes);
+  };
+  const std::string recalled = "From before: Equation (5): vector L equals 0.";
+  EXPECT_EQ(notes_of_second(options_of(What::page, Each::step)).back(), recalled);
+  ExportOptions to_read = options_of(What::page, Each::step);
+  to_read.profile = Profile::page;
+  EXPECT_THAT(notes_of_second(to_read), testing::Not(testing::Contains(recalled)));
+}
+
 TEST(LessonDeck, EquationsAreNamed) {
   const ScratchFolder folder;
   const Deck deck = deck_of_tiny(options_of(What::equation, Each::stage), folder);
