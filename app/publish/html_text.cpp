@@ -31,4 +31,8 @@ std::string policy_hash(std::string_view text) {
   return "'sha256-" + base64(digest) + "'";
 }
 
+std::string lang_of(Language language, Language of_page) {
+  return language == of_page ? "" : " lang=\"" + std::string(tag_of(language)) + '"';
+}
+
 }  // namespace polhode

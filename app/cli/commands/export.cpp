@@ -288,8 +288,8 @@ ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& opti
 }
 
 /// Of the lessons among them that can be read, in the language of this one where there is such a translation.
-std::map<std::string, std::string> titles_of_prerequisites(const Lesson& lesson) {
-  std::map<std::string, std::string> titles;
+std::map<std::string, ReaderTitle> titles_of_prerequisites(const Lesson& lesson) {
+  std::map<std::string, ReaderTitle> titles;
   for (const FoundLesson& found : lessons_and_translations_in(lesson_folders())) {
     const auto is_it = [&](const std::string& line) {
       return found.id == line || found.id == page_name(line, lesson.about.language);
@@ -301,7 +301,7 @@ std::map<std::string, std::string> titles_of_prerequisites(const Lesson& lesson)
     if (!text) continue;
     // A translation stands behind its original.
     if (const LessonReading other = read_lesson(*text, found.path.string()); other.lesson)
-      titles[*line] = other.lesson->title;
+      titles[*line] = {other.lesson->title, other.lesson->about.language};
   }
   return titles;
 }
@@ -397,8 +397,8 @@ ProgramCommand export_command() {
         "KIND", false, offer(export_words().each)},
        {"--size", &typed->size, "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)", "WxH",
         false, offer(export_words().size)},
-       {"--theme", &typed->theme, "paper or dark (default: paper); --reader also both", "NAME", false,
-        offer(export_words().theme)},
+       {"--theme", &typed->theme, "paper or dark (default: paper); --reader and --site also both", "NAME",
+        false, offer(export_words().theme)},
        {"--background", &typed->background,
         "studio (figures), paper, white, transparent, transparent-dark, #rrggbb", "NAME", false,
         offer(export_words().background)},

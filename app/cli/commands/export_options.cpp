@@ -185,8 +185,17 @@ bool is_of_both_themes(const std::string& typed) {
   return choice("--theme", typed, export_words().theme) == export_words().theme.size() - 1;
 }
 
+/// Of pages of text.
+bool has_both_themes(const TypedExport& typed) {
+  const bool both = is_of_both_themes(typed.theme);
+  if (both && typed.live)
+    throw usage("--theme both: does not go with --live, whose figures are on one ground");
+  return both;
+}
+
 Theme theme_of(const std::string& typed) {
-  if (is_of_both_themes(typed)) throw usage("--theme both: only the figures of --reader are drawn in both");
+  if (is_of_both_themes(typed))
+    throw usage("--theme both: only the figures of --reader and --site are drawn in both");
   return static_cast<Theme>(choice("--theme", typed, export_words().theme));
 }
 
@@ -273,9 +282,7 @@ void check_live(const TypedExport& typed, const ExportOptions& options) {
 ReaderOutput reader_output(const TypedExport& typed) {
   refuse_all_of_pictures(typed, "does not go with --reader, which makes one file of text and figures");
   check_html("--reader", typed.reader);
-  const bool both = is_of_both_themes(typed.theme);
-  if (both && typed.live)
-    throw usage("--theme both: does not go with --live, whose figures are on one ground");
+  const bool both = has_both_themes(typed);
   return {.file = typed.reader,
           .stages = typed.stages,
           .live = typed.live,
@@ -299,11 +306,13 @@ SiteOutput site_output(const TypedExport& typed) {
   refuse_all_of_pictures(typed, reason);
   refuse_given({{"--reader", typed.reader}, {"--sandbox", typed.sandbox}}, reason);
   if (!typed.stages.empty()) throw usage("--stage " + reason);
+  const bool both = has_both_themes(typed);
   SiteOutput out{.folder = typed.site,
                  .url = typed.url,
                  .with = {},
                  .live = typed.live,
-                 .theme = theme_of(typed.theme),
+                 .theme = both ? Theme::paper : theme_of(typed.theme),
+                 .in_both_themes = both,
                  .quality = quality_of(typed.quality),
                  .durability = durability_of(typed.sync),
                  .context = context_of(typed.context)};

@@ -63,6 +63,7 @@ struct SiteOutput {
   std::vector<SiteCopy> with;
   bool live = false;  ///< figures can be played, and those of HTML slides
   Theme theme = Theme::paper;
+  bool in_both_themes = false;  ///< the figures of its pages are drawn in the other, too
   std::optional<QualityLevel> quality;
   Durability durability = Durability::rename_only;
   ContextKind context = ContextKind::any;

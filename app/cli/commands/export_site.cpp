@@ -127,7 +127,7 @@ ExitCode export_site(const TypedExport& typed) {
   or_fail(make_folder(out.folder));
   // From now on the folder is known as ours, whatever stops us.
   if (!or_fail(read_site_record(out.folder))) or_fail(write_site_record(out.folder, {}, out.durability));
-  Site site{.lessons = {}, .look = {out.theme, out.quality}, .url = out.url};
+  Site site{.lessons = {}, .look = {out.theme, out.quality, out.in_both_themes}, .url = out.url};
   if (out.live) site.live = live_program();
   const std::string live_name = site.live ? live_file(*site.live).name : "";
   for (const LoadedLesson& loaded : lessons) {

@@ -34,6 +34,7 @@ std::string digest_of(const std::vector<std::string>& texts) {
   return sha256_hex(all);
 }
 
+ReaderTitle title_of(const Lesson& lesson) { return {lesson.title, lesson.about.language}; }
 std::string page_of(const Lesson& lesson) { return page_name(lesson.id, lesson.about.language) + ".html"; }
 std::string preview_name(const Lesson& lesson) {
   return page_name(lesson.id, lesson.about.language) + ".png";
@@ -102,7 +103,7 @@ class SiteWriter {
     });
     if (next != site_.lessons.end()) {
       place.next = next->loaded.lesson.id;
-      place.next_title = next->loaded.lesson.title;
+      place.next_title = title_of(next->loaded.lesson);
     }
     for (const SiteLesson& one : site_.lessons)
       if (const Lesson& other = one.loaded.lesson; other.id == lesson(i).id && &other != &lesson(i))
@@ -115,7 +116,7 @@ class SiteWriter {
     for (const SiteLesson& one : site_.lessons)
       if (const Lesson& other = one.loaded.lesson;
           other.id != lesson(i).id && std::find(lines.begin(), lines.end(), other.id) != lines.end())
-        of.titles.emplace(other.id, other.title);
+        of.titles.emplace(other.id, title_of(other));
     if (program_) of.live = LiveParts{*site_.live, site_.lessons[i].text, program_->name};
     return of;
   }
@@ -129,13 +130,16 @@ class SiteWriter {
                                       reader_assets::kReaderJs,
                                       site_.lessons[i].loaded.sha256,
                                       lesson(i).id,
-                                      site_.look.theme == Theme::dark ? "dark" : "paper",
+                                      site_.look.both                   ? "both"
+                                      : site_.look.theme == Theme::dark ? "dark"
+                                                                        : "paper",
                                       site_.look.quality ? name_of(*site_.look.quality) : "",
                                       of.place->next,
-                                      of.place->next_title,
+                                      of.place->next_title.text,
                                       of.place->url};
     parts.insert(parts.end(), of.place->lessons.begin(), of.place->lessons.end());
-    for (const auto& [id, title] : of.titles) parts.insert(parts.end(), {id, title});
+    for (const auto& [id, title] : of.titles)
+      parts.insert(parts.end(), {id, title.text, std::string(tag_of(title.language))});
     if (program_)
       parts.insert(parts.end(),
                    {program_->name, live_assets::kLiveCss, live_assets::kLiveJs, live_assets::kFiguresJs});

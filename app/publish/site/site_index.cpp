@@ -19,10 +19,8 @@ namespace polhode {
 
 namespace {
 
-/// `lang` of what is in another language than the page.
 std::string language_of(const Lesson& lesson, Language of_page) {
-  const Language language = lesson.about.language;
-  return language == of_page ? "" : fmt::format(" lang=\"{}\"", tag_of(language));
+  return lang_of(lesson.about.language, of_page);
 }
 
 /// In this language if it is there in it.

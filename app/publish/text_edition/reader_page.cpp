@@ -196,8 +196,10 @@ class ReaderText {
   std::string line_or_lesson(const std::string& line) const {
     const auto other = edition_.titles.find(line);
     if (other == edition_.titles.end()) return html_escaped(line);
-    const std::string title = html_escaped(other->second), address = html_.address_of(line);
-    return address.empty() ? title : fmt::format("<a href=\"{}\">{}</a>", html_escaped(address), title);
+    const std::string title = html_escaped(other->second.text), address = html_.address_of(line),
+                      lang = lang_of(other->second.language, language());
+    if (!address.empty()) return fmt::format("<a href=\"{}\"{}>{}</a>", html_escaped(address), lang, title);
+    return lang.empty() ? title : fmt::format("<span{}>{}</span>", lang, title);
   }
   std::string said(const Phrase& phrase) const { return html_escaped(phrase.in(language())); }
   std::string time(double t_s, int digits) const {
@@ -385,8 +387,9 @@ std::string link_to_index(const ReaderEdition& edition) {
 std::string link_to_next(const ReaderEdition& edition) {
   if (!edition.place || edition.place->next.empty()) return {};
   const ReaderPlace& place = *edition.place;
-  const std::string link =
-      fmt::format("<a href=\"{}.html\">{}</a>", html_escaped(place.next), html_escaped(place.next_title));
+  const std::string link = fmt::format("<a href=\"{}.html\"{}>{}</a>", html_escaped(place.next),
+                                       lang_of(place.next_title.language, edition.lesson.about.language),
+                                       html_escaped(place.next_title.text));
   return "<p class=\"site next\">" + words::kNextLesson.with(edition.lesson.about.language, {link}) +
          "</p>\n";
 }

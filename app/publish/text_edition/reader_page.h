@@ -20,14 +20,21 @@
 
 namespace polhode {
 
+/// The title of another lesson, in the language of its own.
+struct ReaderTitle {
+  std::string text;
+  Language language = Language::en;
+};
+
 /// Where a page lies among others of a site (app/publish/site/): ID.html beside each other, and an index.
 struct ReaderPlace {
   /// The same lesson in other languages.
   std::vector<Language> languages{};
-  std::set<std::string> lessons{};   ///< ids of those that links of the lesson may lead to
-  std::string next{}, next_title{};  ///< the lesson behind this one; empty: none
-  std::string url{};                 ///< of the folder on the web, with a slash at its end; may be empty
-  std::string preview{};             ///< name of a picture of 1200 x 630 px; empty: none
+  std::set<std::string> lessons{};  ///< ids of those that links of the lesson may lead to
+  std::string next{};               ///< the lesson behind this one; empty: none
+  ReaderTitle next_title{};
+  std::string url{};      ///< of the folder on the web, with a slash at its end; may be empty
+  std::string preview{};  ///< name of a picture of 1200 x 630 px; empty: none
 };
 /// The name of a lesson's page, without its ending: "euler-equations", "euler-equations.de".
 std::string page_name(const std::string& lesson_id, Language language);
@@ -39,7 +46,7 @@ struct ReaderEdition {
   std::vector<std::string> stages{};  ///< ids; empty: all. Nothing leads to the others
   ReaderFigures::Look look{};  ///< of the figures: texts follow the reader's own wish for light or dark
   std::optional<ReaderPlace> place{};           ///< absent: it lies alone
-  std::map<std::string, std::string> titles{};  ///< of other lessons that it builds on, by their ids
+  std::map<std::string, ReaderTitle> titles{};  ///< of other lessons that it builds on, by their ids
   std::optional<LiveParts> live{};              ///< absent: figures are pictures, and nothing else
 };
 

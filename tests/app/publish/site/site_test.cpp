@@ -210,6 +210,15 @@ TEST_F(SiteOfTwo, RepeatsToTheByteAndDrawsWhatHasChangedAlone) {
   EXPECT_TRUE(text_of(site / "edition.html") == before.at("edition.html"));
 }
 
+TEST_F(SiteOfTwo, FiguresForDarkScreensAreDrawnWhereTheyAreAskedFor) {
+  const fs::path site = folder_ / "site";
+  ASSERT_EQ(make(site).code, 0);
+  EXPECT_THAT(text_of(site / "edition.html"), Not(HasSubstr("<source ")));
+  ASSERT_EQ(make(site, {"--theme", "both"}).code, 0);
+  EXPECT_THAT(text_of(site / "edition.html"),
+              HasSubstr("<source media=\"screen and (prefers-color-scheme: dark)\""));
+}
+
 TEST_F(SiteOfTwo, RemovesThePagesOfALessonThatIsGoneAndNothingElse) {
   const fs::path site = folder_ / "site";
   ASSERT_EQ(make(site).code, 0);
@@ -272,7 +281,7 @@ TEST_F(SiteOfTwo, LinksALessonWithItsTranslation) {
   EXPECT_THAT(text_of(site / "other.de.html"),
               testing::AllOf(HasSubstr("<html lang=\"de\">"),
                              HasSubstr("hreflang=\"en\" href=\"https://x.org/other.html\""),
-                             HasSubstr("Die nächste Lektion: ")));
+                             HasSubstr("Die nächste Lektion: <a href=\"edition.html\" lang=\"en\">")));
   // One lesson of the course, in two languages.
   EXPECT_THAT(text_of(site / "index.html"),
               testing::AllOf(HasSubstr("<span class=\"number\">1</span><a href=\"other.html\""),
