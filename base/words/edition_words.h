@@ -19,7 +19,8 @@ inline constexpr Phrase kInAnotherLanguage{"This lesson in English", "Diese Lekt
 inline constexpr Phrase kEquationLabel{"Equation {0}", "Gleichung {0}"};
 inline constexpr Phrase kEquationInBrackets{"Equation ({0})", "Gleichung ({0})"};
 inline constexpr Phrase kEquationAbove{"The equation above", "Die Gleichung oben"};
-inline constexpr Phrase kInTheFigure{"In the figure, at {0}: {1}", "In der Abbildung, bei {0}: {1}"};
+inline constexpr Phrase kInTheFigure{"Its sides in the figure, at {0}: {1}",
+                                     "Ihre Seiten in der Abbildung, bei {0}: {1}"};
 
 // Questions.
 inline constexpr Phrase kPredictLabel{"Question: predict", "Frage: Vorhersage"};
@@ -29,7 +30,6 @@ inline constexpr Phrase kHintNumber{"Hint {0}", "Hinweis {0}"};
 inline constexpr Phrase kADerivation{"A derivation", "Eine Herleitung"};
 inline constexpr Phrase kAnswer{"Answer", "Antwort"};
 inline constexpr Phrase kYourAnswer{"Your answer", "Antwort"};
-inline constexpr Phrase kYourAnswerIn{"Your answer, in {0}", "Antwort, in {0}"};
 inline constexpr Phrase kPlace{"place", "Platz"};
 inline constexpr Phrase kReplyTo{"On {0}:", "Zu {0}:"};
 inline constexpr Phrase kTyped{"{0}, typed {1}", "{0}, eingegeben {1}"};

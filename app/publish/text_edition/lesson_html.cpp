@@ -141,6 +141,9 @@ char32_t last_of(std::string_view text) {
   return text.empty() ? kBegin : next_character(text, at);
 }
 
+/// A word, "From", which says what the item is to the others.
+bool is_word(const std::string& marker) { return !marker.empty() && is_letter(marker.front()); }
+
 /// The lists that are open, one in an item of the other.
 class Lists {
  public:
@@ -162,7 +165,9 @@ class Lists {
       html_ += number ? "<ol>\n" : "<ul>\n";
       if (open_.size() < depth) html_ += "<li>";
     }
-    html_ += number ? fmt::format("<li value=\"{}\">", *number) : "<li>";
+    html_ += number            ? fmt::format("<li value=\"{}\">", *number)
+             : is_word(marker) ? "<li class=\"named\"><span class=\"by\">" + html_escaped(marker) + "</span> "
+                               : "<li>";
     open_.back().last = number.value_or(0);
   }
 
@@ -340,8 +345,15 @@ std::string LessonHtml::table(const TextTable& table) const {
     }
     return html + "</tr>\n";
   };
-  std::string html =
-      "<div class=\"wide\"><table>\n<thead>" + row_of(table.rows.front(), true) + "</thead>\n<tbody>\n";
+  // Heard, a table is told from others by the names of its columns.
+  std::string names;
+  for (const TextTable::Cell& cell : table.rows.front())
+    if (!cell.empty())
+      names +=
+          (names.empty() ? "" : ", ") + speech_.words(TextBlock{.indent = 0, .marker = {}, .spans = cell});
+  std::string html = fmt::format("<div class=\"wide\"><table{}>\n<thead>{}</thead>\n<tbody>\n",
+                                 names.empty() ? "" : " aria-label=\"" + html_escaped(names) + '"',
+                                 row_of(table.rows.front(), true));
   for (std::size_t r = 1; r < table.rows.size(); ++r) html += row_of(table.rows[r], false);
   return html + "</tbody>\n</table></div>\n";
 }

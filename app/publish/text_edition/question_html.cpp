@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/publish/text_edition/question_html.h"
 
-#include "app/narration/number_text.h"
 #include "app/narration/state_line.h"
 #include "base/words/edition_words.h"
 #include "base/words/page_words.h"
@@ -50,6 +49,7 @@ class QuestionHtml {
  private:
   Language language() const { return html_.lesson().about.language; }
   std::string said(const Phrase& phrase) const { return std::string(phrase.in(language())); }
+  const Vocabulary& vocabulary() const { return html_.lesson().notation.vocabulary; }
 
   bool has_number() const { return ask_.type == Type::number && ask_.number && ask_.number->value; }
   bool is_judged() const { return has_choices(ask_.type) || has_number(); }
@@ -77,16 +77,11 @@ class QuestionHtml {
   }
 
   std::string controls() const {
-    if (has_number()) {  // to within what stands behind the prompt
-      const std::string& unit = ask_.number->unit;
+    if (has_number())  // in what, and to within what, stands behind the prompt
       return fmt::format(
           "<p class=\"typed\"><label for=\"{0}.typed\">{1}</label> <input id=\"{0}.typed\" "
-          "type=\"text\" inputmode=\"decimal\" size=\"12\"/></p>\n",
-          id_,
-          unit.empty()
-              ? said(words::kYourAnswer)
-              : words::kYourAnswerIn.with(language(), {html_escaped(unit_in_words(unit, language()))}));
-    }
+          "type=\"text\" inputmode=\"decimal\" size=\"12\" aria-describedby=\"{0}.prompt\"/></p>\n",
+          id_, said(words::kYourAnswer));
     if (!has_choices(ask_.type)) return {};
     std::string html = fmt::format("<div class=\"choices\" role=\"{}\" aria-labelledby=\"{}.prompt\">\n",
                                    picks_choice(ask_.type) ? "radiogroup" : "group", id_);
@@ -128,10 +123,8 @@ class QuestionHtml {
     if (ask_.derivation) return worked();
     if (ask_.expression)
       return "<p>" +
-             words::kTyped.with(
-                 language(),
-                 {html_.line('$' + tex_of(*ask_.expression, &html_.lesson().notation.vocabulary) + '$'),
-                  "<code>" + html_escaped(ask_.expression->text) + "</code>"}) +
+             words::kTyped.with(language(), {html_.line('$' + tex_of(*ask_.expression, &vocabulary()) + '$'),
+                                             "<code>" + html_escaped(ask_.expression->text) + "</code>"}) +
              "</p>\n";
     if (ask_.task) return state();
     if (ask_.number) {
@@ -161,9 +154,11 @@ class QuestionHtml {
 
   std::string state() const {
     std::string html = "<ul>\n";
-    for (const StateGoal& goal : ask_.task->goals)
-      html += fmt::format("<li>{}: {}</li>\n", html_.line(goal.words()),
-                          html_escaped(range_of(goal, language())));
+    for (const StateGoal& goal : ask_.task->goals) {
+      const std::string what =
+          goal.say.empty() ? '$' + tex_of(goal.number.expression, &vocabulary()) + '$' : goal.say;
+      html += fmt::format("<li>{}: {}</li>\n", html_.line(what), html_escaped(range_of(goal, language())));
+    }
     return html + "</ul>\n<p>" +
            words::kForExampleTyped.with(language(),
                                         {html_.line(state_line(ask_.task->solution, language()))}) +

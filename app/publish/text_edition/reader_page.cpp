@@ -265,13 +265,13 @@ class ReaderText {
         html += "<li><div class=\"formula\">" + html_.line('$' + tex + '$') + "</div></li>\n";
       html += "</ul>\n";
     }
+    // Seen, the chip's frame parts the two; heard, a comma does.
+    const std::string note = row.note + std::string(comma) + row.example;
     html += fmt::format(
         "<p>{}<strong class=\"chip\"><span "
-        "aria-hidden=\"true\">{}</span>{}</strong>",
-        of, mark, html_escaped(row.word));
-    if (const std::string note = row.note + std::string(comma) + row.example; !note.empty())
-      html += ' ' + html_.line(note);
-    html += "</p>\n";
+        "aria-hidden=\"true\">{}</span>{}</strong>{}<span class=\"heard\">.</span></p>\n",
+        of, mark, html_escaped(row.word),
+        note.empty() ? "" : "<span class=\"heard\">,</span> " + html_.line(note));
     return html + live_html(step, claim, model) + "</div>\n";
   }
 

@@ -267,6 +267,7 @@ TEST(Reader, ListsAndTablesAreThat) {
   ASSERT_EQ(inside.size(), 1u);
   EXPECT_EQ(all_named(*inside[0], "li").at(1)->attribute("value"), "2");
   const XmlNode& table = *all_named(step, "table").at(0);
+  EXPECT_EQ(table.attribute("aria-label"), "body, period");
   EXPECT_EQ(all_named(table, "th").at(1)->attribute("scope"), "col");
   EXPECT_EQ(all_named(table, "th").at(2)->attribute("scope"), "row") << "a row is named by its first cell";
   EXPECT_TRUE(all_named(table, "td").at(0)->has_class("right"));
@@ -315,6 +316,46 @@ TEST(Reader, AStateThatAnswersIsPrintedAsOnPages) {
   EXPECT_THAT(
       words_of(*with_id(page.root, "steer/ask.aim")),
       HasSubstr("For example vector omega equals open parenthesis 0, 3, 4.5 close parenthesis rad/s"));
+}
+
+TEST(Reader, ADerivationSaysWhatIsGivenAndWhatIsAsked) {
+  const Edition page(std::string(kEditionLesson) + R"(
+# Derive {derive}
+```ask way
+type   = "derive"
+prompt = "Bring the law to the body."
+start  = "dL/dt = N"
+goal   = "d*L/dt + omega x L = N"
+modulo = "motion"
+facts  = ["dA/dt = d*A/dt + omega x A"]
+worked = [{ line = "d*L/dt + omega x L = N", point = "Which rate?", teach = "Use the theorem." }]
+```
+)");
+  std::vector<std::string> items;
+  for (const XmlNode* item : all_named(*with_id(page.root, "derive/ask.way.prompt"), "li"))
+    items.push_back(words_of(*item));
+  EXPECT_THAT(
+      items,
+      ElementsAre("From d vector L over d t equals vector N",
+                  "to d star vector L over d t plus vector omega cross vector L equals vector N",
+                  "by d vector A over d t equals d star vector A over d t plus vector omega cross vector A"));
+}
+
+// 28 November 2026: "Answer in rad/s" stood above "Your answer, in radians per second".
+TEST(Reader, AUnitIsAskedForOnce) {
+  const XmlNode& count = *with_id(edition().root, "asked/ask.count");
+  EXPECT_EQ(words_of(*all_named(count, "label").at(0)), "Your answer");
+  EXPECT_EQ(all_named(count, "input").at(0)->attribute("aria-describedby"), "asked/ask.count.prompt");
+}
+
+TEST(Reader, AGoalIsAFormulaWhereItHasNoWords) {
+  const Edition page(
+      std::string(kEditionLesson) +
+      "\n# Steer {steer}\n```ask aim\ntype = \"state\"\nprompt = \"Make it turn.\"\ngoals = [{ of = "
+      "\"norm(omega)\", is = 5, within = 1, unit = \"rad/s\" }]\nchange = "
+      "[\"omega\"]\nsolution = { omega = [0, 3, 4.5] }\n```\n```scene\nomega = [0, 1, 0]\n```\n");
+  EXPECT_THAT(words_of(*with_id(page.root, "steer/ask.aim")),
+              HasSubstr("magnitude of vector omega: (5 ± 1) rad/s"));
 }
 
 TEST(Reader, MomentsSayWhatHasChanged) {
@@ -383,6 +424,7 @@ TEST(Reader, LinesEndNeitherInAUnitNorBeforeTheNumberOfAnAxis) {
 TEST(Reader, TheTexToCopyHasItsNumbers) {
   std::set<std::string> tex;
   for (const XmlNode* note : all_named(edition().root, "annotation")) tex.insert(note->children.front().text);
+  for (const XmlNode* math : all_named(edition().root, "math")) tex.insert(math->attribute("data-tex"));
   EXPECT_TRUE(tex.contains("{3.01}" + unit_tex("rad/s"))) << testing::PrintToString(tex);
   for (const std::string& one : tex) {
     EXPECT_THAT(one, Not(HasSubstr("\\live")));
@@ -397,7 +439,8 @@ TEST(Reader, AVerdictStandsInWords) {
   });
   ASSERT_EQ(verdicts.size(), 1u);
   // The line is a claim beside the formula: the verdict is about that.
-  EXPECT_EQ(verdicts[0], "Stated: d vector L over d t equals vector N law");
+  EXPECT_EQ(verdicts[0], "Stated: d vector L over d t equals vector N law.")
+      << "a chip ends with a stop that is heard";
 }
 
 TEST(Reader, QuestionsHaveWhatTheyAreJudgedBy) {
@@ -424,7 +467,6 @@ TEST(Reader, EveryControlHasAName) {
   std::set<std::string> named;
   for (const XmlNode* label : all_named(edition().root, "label")) named.insert(label->attribute("for"));
   for (const char* control : {"input", "select"})
-  for (const XmlNode* math : all_named(edition().root, "math")) tex.insert(math->attribute("data-tex"));
     for (const XmlNode* node : all_named(edition().root, control))
       EXPECT_TRUE(named.contains(node->attribute("id"))) << node->attribute("id");
 }
