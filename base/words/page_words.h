@@ -59,7 +59,7 @@ inline constexpr Phrase kNotThisOmega{
     "ω",
     "dieser Pfeil ist ω in anderer Länge oder von einem anderen Punkt aus und lässt sich nicht ziehen; ω "
     "ändert "
-    "man unter „Body“"};
+    "man unter „Körper“"};
 inline constexpr Phrase kStageNotChosen{"stage {0} (not one of the {1} chosen)",
                                         "Abschnitt {0} (nicht unter den {1} ausgewählten)"};
 inline constexpr Phrase kNoneOfChosenSteps{"Not one of the {0} chosen steps",

@@ -250,7 +250,7 @@ inline constexpr Phrase kFromFastToAccurate{"From fast to accurate", "Von schnel
 inline constexpr Phrase kFast{"fast", "schnell"};
 inline constexpr Phrase kAccurate{"accurate", "genau"};
 inline constexpr Phrase kMeasuring{"measuring the methods on this motion …",
-                                   "die Verfahren werden an dieser Bewegung gemessen …"};
+                                   "die Verfahren werden gemessen …"};
 inline constexpr Phrase kNotMeasured{"Nothing could be measured on this motion.",
                                      "An dieser Bewegung war nichts zu messen."};
 inline constexpr Phrase kNotOnFront{
@@ -265,7 +265,7 @@ inline constexpr Phrase kClosedForm{"A closed form: any t at once, no step.",
 inline constexpr Phrase kStepS{"step, s", "Schritt, s"};
 inline constexpr Phrase kTolerance{"tolerance", "Toleranz"};
 inline constexpr Phrase kGhostBeside{"the exact body beside it, as a ghost",
-                                     "daneben der genaue Körper, durchscheinend"};
+                                     "den genauen Körper daneben zeigen"};
 inline constexpr Phrase kNowAndSince{"Now, and since t = 0", "Jetzt, und seit t = 0"};
 inline constexpr Phrase kErrorOfOmega{"error of ω", "Fehler von ω"};
 inline constexpr Phrase kErrorOfAttitude{"error of attitude", "Fehler der Lage"};

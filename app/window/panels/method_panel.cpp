@@ -234,7 +234,7 @@ void MethodPanel::show_accuracy(PanelContext& context, const SceneModel& model) 
   const auto row = [&](const Phrase& name, const std::string& value) {
     value_row(context.said(name).c_str(), with_decimals(value, context.language()));
   };
-  const auto degrees = [](double rad) { return number_with_unit(kDegreesPerRadian * rad, "°"); };
+  const auto degrees = [](double rad) { return number_with_unit(kDegreesPerRadian * rad, " °"); };
   row(words::kErrorOfOmega,
       now_.error ? number_with_unit(now_.error->omega, "") : context.said(why_no_error(model)));
   row(words::kErrorOfAttitude, now_.error ? degrees(now_.error->attitude_rad) : "");
