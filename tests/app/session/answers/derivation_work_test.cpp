@@ -8,18 +8,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string_view>
+
 namespace polhode {
 namespace {
 
 using ::testing::HasSubstr;
 using Mark = LineJudgement::Mark;
 
-const Ask& derivation_of(const Lesson& lesson, const std::string& id) {
+const Ask& derivation_of(const Lesson& lesson, std::string_view id) {
   for (const Stage& stage : lesson.stages)
     for (const Step& step : stage.steps)
       for (const Ask* ask : blocks_of<Ask>(step))
         if (ask->id == id) return *ask;
-  throw std::runtime_error("no question " + id);
+  throw std::runtime_error("no question " + std::string(id));
 }
 
 // The lesson's own solutions lead to their goals, and so does the last hint at every step.

@@ -52,7 +52,7 @@ TEST_F(PanelFocus, TheTableOfKeysIsScrolledByKeys) {
   ASSERT_EQ(session.panel, Panel::help);
   EXPECT_FALSE(is_ring_seen());
   const Image head = screen->read();
-  for (const ImGuiKey_ key : {ImGuiKey_DownArrow, ImGuiKey_PageDown, ImGuiKey_End}) {
+  for (const int key : {int{ImGuiKey_DownArrow}, int{ImGuiKey_PageDown}, int{ImGuiKey_End}}) {
     const Image before = screen->read();
     give_to_panel(static_cast<ImGuiKey>(key));
     EXPECT_NE(screen->read().rgba, before.rgba) << key;

@@ -34,7 +34,8 @@ class QuestionsPanelTest : public ScreenTest {
     frame(3);
     for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
       if (window->Active && std::string_view(window->Name).starts_with("panel/contents"))
-        ImGui::ActivateItem(ImHashStr("###hint", 0, ImHashStr(ask.id.c_str(), 0, window->ID)));
+        ImGui::GetCurrentContext()->NavNextActivateId =
+            ImHashStr("###hint", 0, ImHashStr(ask.id.c_str(), 0, window->ID));
     frame(3);
     const AnswerRecord* record = session.record(ask);
     return record == nullptr ? 0 : record->hints;
