@@ -260,7 +260,7 @@ std::string fish_names(const std::vector<std::string>& spellings) {
 }
 
 std::string fish_lines_of(const ProgramCommand& command) {
-  const std::string seen = "__fish_seen_subcommand_from " + command.name;
+  const std::string seen = "__polhode_is_for " + command.name;
   std::string text = fmt::format("\ncomplete -c polhode -n {} -a {} -d {}\n", "__fish_use_subcommand",
                                  command.name, fish_quoted(command.about));
   text += fmt::format("complete -c polhode -n {}{} -d {}\n", fish_quoted(seen),
@@ -291,6 +291,12 @@ std::string fish_script(const std::vector<ProgramCommand>& commands) {
 
 function __polhode_lessons
     polhode list 2>/dev/null | string replace -r ' .*' ''
+end
+
+# Is the line for this command? (What fish 4.0 has for it takes the beginning of a command for the command.)
+function __polhode_is_for -a command
+    set -l words (commandline -opc)
+    test (count $words) -gt 1; and test $words[2] = $command
 end
 
 # Is the word at the cursor the n-th argument of its command? Options and their values are none.

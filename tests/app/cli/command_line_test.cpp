@@ -276,12 +276,13 @@ RunOptions redirected(const std::string& redirection) {
 
 // HOSTILE F1: the program aborted (134), also after success.
 TEST(Usage, MessagesThatCannotBeWrittenAreLostAndNothingElse) {
+  const ScratchFolder scratch;
   const Words trace = {"trace", "--inertia", "1,1.75,2.5", "--omega", "1,2,3", "--times", "0"};
   const std::vector<std::pair<Words, int>> runs = {{trace, 0},
                                                    {{"lint", test_lesson("tiny.md")}, 0},
                                                    {{"info", "no-such-lesson"}, 2},
                                                    {{"lint", test_lesson("two_errors.md")}, 3},
-                                                   {{"verify", "/nonexistent"}, 1}};
+                                                   {{"verify", scratch / "absent"}, 1}};
   for (const auto& [words, code] : runs)
     for (const char* redirection : {"2>/dev/full", "2>&-"})
       EXPECT_EQ(polhode(words, redirected(redirection)).code, code) << words[0] << ' ' << redirection;

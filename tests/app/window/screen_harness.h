@@ -80,6 +80,13 @@ class ScreenTest : public testing::Test {
     tell(true);
     tell(false);
   }
+  void hold_shift(bool is_held) {
+#if IMGUI_VERSION_NUM < 18700
+    ImGui::GetIO().KeyShift = is_held;
+#else
+    ImGui::GetIO().AddKeyEvent(ImGuiMod_Shift, is_held);
+#endif
+  }
   const PixelRect& figure() { return screen->page().insets().front().place; }
 
   std::unique_ptr<Screen> screen;

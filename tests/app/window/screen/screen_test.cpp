@@ -317,9 +317,9 @@ TEST_F(ScreenTest, WithShiftAHandChangesTheLengthOfOmega) {
   const Vec2 arrow(tips[0].x - tips[0].x0, tips[0].y - tips[0].y0);
   const Vec2 to = Vec2(tips[0].x, tips[0].y) + 0.4 * arrow;
   const Vec3 before = session.model()->motion->w_B_at(session.t_s());
-  ImGui::GetIO().KeyShift = true;
+  hold_shift(true);
   drag(tips[0].x, tips[0].y, to.x(), to.y());
-  ImGui::GetIO().KeyShift = false;
+  hold_shift(false);
   const Vec3 after = session.model()->motion->w_B_at(session.t_s());
   EXPECT_GT(after.norm(), 1.2 * before.norm());
   EXPECT_LT(after.normalized().cross(before.normalized()).norm(), 1e-5) << "its direction stays";
@@ -330,7 +330,7 @@ TEST_F(ScreenTest, WithShiftAHandChangesTheLengthOfOmega) {
 TEST_F(ScreenTest, WhatShiftPulledOutOfThePictureIsInItWhenItIsLetGo) {
   session.go_to({18, 1});
   frame(3);
-  ImGui::GetIO().KeyShift = true;
+  hold_shift(true);
   for (int pull = 0; pull < 4; ++pull) {
     const auto tips = omega_tips(*session.model(), session.t_s(), screen->page().insets());
     ASSERT_FALSE(tips.empty());
@@ -346,7 +346,7 @@ TEST_F(ScreenTest, WhatShiftPulledOutOfThePictureIsInItWhenItIsLetGo) {
         EXPECT_LE(one.tip.y(), inset.place.y + inset.place.height) << pull;
       }
   }
-  ImGui::GetIO().KeyShift = false;
+  hold_shift(false);
 }
 
 // 2026-11-29: the picture was fitted anew at each movement of a slider, and nothing was seen to grow.
