@@ -34,7 +34,10 @@ bool text_field(PanelContext& context, const char* id, const char* form, const c
   const ImGuiStyle& style = ImGui::GetStyle();
   const float behind = ImGui::CalcTextSize(button).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - behind);
-  if (std::exchange(context.take_focus, false)) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(context.take_focus, false)) {
+    ImGui::SetWindowFocus();  // after the focus went to no window Dear ImGui 1.90 finds no field in this one
+    ImGui::SetKeyboardFocusHere();
+  }
   const bool entered = ImGui::InputTextWithHint(id, form, &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   take_keyboard_by_tab(context);
   if (typed.empty()) show_hint_from_left();
