@@ -44,10 +44,10 @@ if(POLHODE_CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(polhode_settings INTERFACE -fpch-preprocess)
 endif()
 # With precompiled headers GCC no longer knows std::string for a header of the system, and takes "text" + std::string for an
-# overflow (GCC bug 105651), newer versions also for an index out of bounds.
+# overflow (GCC bug 105651), newer versions, and those for ARM, also for an index out of bounds.
 if(POLHODE_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(polhode_settings INTERFACE -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict)
-  if(CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+  if(CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13 OR NOT CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
     target_compile_options(polhode_settings INTERFACE -Wno-array-bounds)
   endif()
 endif()

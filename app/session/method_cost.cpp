@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/method_cost.h"
 
+#include "base/words/phrase.h"
+#include "base/words/window_words.h"
 #include "physics/analysis/characteristic_time.h"
 
 #include <fmt/format.h>
@@ -19,16 +21,8 @@ std::string two_digits(double value) {
   return text;
 }
 
-std::string name_of_step(const MethodChoice& choice) {
-  const std::string name(name_of(choice.method));
-  if (choice.step_s) return fmt::format("{}, step {} s", name, two_digits(*choice.step_s));
-  if (choice.tolerance) return fmt::format("{}, tolerance {}", name, two_digits(*choice.tolerance));
-  return fmt::format("{}, closed form", name);
-}
-
 ParetoStep step_of(const WorkPrecisionRow& row) {
-  const MethodChoice choice{row.method, row.step_s, row.tolerance};
-  return {choice, row.error(), row.ns_per_period, name_of_step(choice)};
+  return {{row.method, row.step_s, row.tolerance}, row.error(), row.ns_per_period};
 }
 
 /// Those that go step by step and, where there is one, the closed form.
@@ -62,6 +56,14 @@ std::vector<ParetoStep> measured_front(const Problem& problem, double cpu_second
 }
 
 }  // namespace
+
+std::string named_in(Language language, const MethodChoice& choice) {
+  const std::string name(name_of(choice.method));
+  const auto digits = [&](double value) { return with_decimals(two_digits(value), language); };
+  if (choice.step_s) return words::kMethodOfStep.with(language, {name, digits(*choice.step_s)});
+  if (choice.tolerance) return words::kMethodOfTolerance.with(language, {name, digits(*choice.tolerance)});
+  return words::kMethodOfClosedForm.with(language, {name});
+}
 
 std::vector<ParetoStep> pareto_steps(const std::vector<WorkPrecisionRow>& rows) {
   const std::vector<bool> front = front_step_by_step(rows);

@@ -3,6 +3,7 @@
 // measured on the spot.
 #pragma once
 
+#include "base/words/language.h"
 #include "physics/analysis/work_precision.h"
 #include "physics/method.h"
 
@@ -18,8 +19,10 @@ struct ParetoStep {
   MethodChoice choice;
   double error = 0;  ///< the larger of ω's and the attitude's, at the end
   double ns_per_period = 0;
-  std::string name;  ///< "rk4, step 0.02 s"
 };
+
+/// "rk4, step 0.02 s".
+std::string named_in(Language language, const MethodChoice& choice);
 
 /// The front of the methods that go step by step, each step dearer and more accurate than the one before;
 /// then the closed form, if it was measured.

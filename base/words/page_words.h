@@ -48,12 +48,13 @@ inline constexpr Phrase kClickToCopy{"Click to copy: {0}", "Ein Klick kopiert: {
 inline constexpr Phrase kDrag{"drag", "ziehen"};
 inline constexpr Phrase kDragOmega{"drag: another ω with the same T; Shift: its length",
                                    "ziehen: ein anderes ω mit demselben T; Umschalt: seine Länge"};
-inline constexpr Phrase kOmegaAtConstT{"ω = {0} rad/s, T kept", "ω = {0} rad/s, T bleibt"};
+inline constexpr Phrase kOmegaAtConstT{"ω = {0} rad/s in the body frame, T kept",
+                                       "ω = {0} rad/s im Körpersystem, T bleibt"};
 inline constexpr Phrase kOmegaNoNearer{
-    "ω = {0} rad/s, T kept: none of this T ends nearer to the pointer; Shift changes T",
-    "ω = {0} rad/s, T bleibt: keines mit diesem T endet näher am Zeiger; Umschalt ändert T"};
-inline constexpr Phrase kOmegaAtOtherT{"ω = {0} rad/s, T = {1} J, not kept",
-                                       "ω = {0} rad/s, T = {1} J, bleibt nicht"};
+    "ω = {0} rad/s in the body frame, T kept: none of this T ends nearer to the pointer; Shift changes T",
+    "ω = {0} rad/s im Körpersystem, T bleibt: keines mit diesem T endet näher am Zeiger; Umschalt ändert T"};
+inline constexpr Phrase kOmegaAtOtherT{"ω = {0} rad/s in the body frame, T = {1} J, not kept",
+                                       "ω = {0} rad/s im Körpersystem, T = {1} J, bleibt nicht"};
 inline constexpr Phrase kNotThisOmega{
     "this arrow is ω at another length or from another point, and cannot be dragged; the panel Body changes "
     "ω",

@@ -142,7 +142,7 @@ inline constexpr Phrase kSidesAre{"At {0} the left side is {1}, the right side {
                                   "Bei {0} ist die linke Seite {1}, die rechte {2}."};
 inline constexpr Phrase kNextLine{"the next line, such as a = b + c", "die nächste Zeile, etwa a = b + c"};
 inline constexpr Phrase kEnterLine{"Next", "Weiter"};
-inline constexpr Phrase kGoalIsReached{"The goal is reached.", "Das Ziel ist erreicht."};
+inline constexpr Phrase kGoalIsReached{"The goal is reached: ", "Das Ziel ist erreicht: "};
 inline constexpr Phrase kGoalWithoutLines{
     "That is the goal itself: show how you get there, in at least {0} lines.",
     "Das ist das Ziel selbst. Es fehlt der Weg dorthin, in mindestens {0} Zeilen."};
@@ -256,6 +256,9 @@ inline constexpr Phrase kNotMeasured{"Nothing could be measured on this motion."
 inline constexpr Phrase kNotOnFront{
     "Each step of the slider is the fastest for its accuracy. The present method is none of them.",
     "Jede Stufe des Reglers ist die schnellste ihrer Genauigkeit. Das jetzige Verfahren ist keine davon."};
+inline constexpr Phrase kMethodOfStep{"{0}, step {1} s", "{0}, Schritt {1} s"};
+inline constexpr Phrase kMethodOfTolerance{"{0}, tolerance {1}", "{0}, Toleranz {1}"};
+inline constexpr Phrase kMethodOfClosedForm{"{0}, closed form", "{0}, geschlossene Form"};
 inline constexpr Phrase kFrontStep{"{0}: {1}, {2} a period", "{0}: {1}, {2} je Periode"};
 inline constexpr Phrase kReferenceOfOthers{"what the errors of the others are against",
                                            "an ihm werden die anderen gemessen"};

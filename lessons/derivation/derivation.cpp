@@ -279,6 +279,9 @@ Result<DerivedLine, UnreadableLine> read_line(std::string_view typed, const Line
     return Failure<UnreadableLine>{{std::move(message), std::move(hint), column, formula.tex, of_kinds}};
   };
   if (formula.fault) return refuse(formula.fault->message, formula.fault->hint, formula.fault->at);
+  if (typed.find_first_of("=<>") == typed.npos)
+    return refuse("a line is an equation, with =",
+                  above != nullptr ? "begin it with = to go on from the line above" : "", 0);
   const auto math = parse_math(formula.tex, how.macros);
   if (!math)
     return refuse(math.error().front().message, "", typed_offset(formula, math.error().front().offset));

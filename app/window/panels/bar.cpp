@@ -15,12 +15,15 @@ namespace polhode {
 
 namespace {
 
-constexpr float kNarrow = 74;     // em: below it there are two rows
-constexpr float kTight = 41;      // em: below it buttons have no words that have an icon
-constexpr float kVeryTight = 36;  // em: below it single frames have their keys alone
+constexpr float kNarrow = 74;      // em: below it there are two rows, in English
+constexpr float kGermanWords = 8;  // em: what the words of the bar take more in German
+constexpr float kTight = 41;       // em: below it buttons have no words that have an icon
+constexpr float kVeryTight = 36;   // em: below it single frames have their keys alone
 constexpr std::array kSpeeds = {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0, 4.0, 8.0, 16.0};
 
-bool is_narrow(const ControlSizes& sizes, float width) { return width < kNarrow * sizes.em; }
+bool is_narrow(const ControlSizes& sizes, float width, Language language) {
+  return width < (kNarrow + (language == Language::de ? kGermanWords : 0)) * sizes.em;
+}
 bool is_tight(const ControlSizes& sizes, float width) { return width < kTight * sizes.em; }
 bool is_very_tight(const ControlSizes& sizes, float width) { return width < kVeryTight * sizes.em; }
 
@@ -106,13 +109,14 @@ void draw_time(PanelContext& context, float width, bool has_frames) {
   draw_speed(session, speed);
 }
 
-/// There is a question that nobody has tried yet. Whether an answer was right is said in the panel alone, and
-/// not before the motion has shown it.
+/// There is a question to answer, for the first time or again. Whether an answer was right is said in the
+/// panel alone, and not before the motion has shown it; a prediction is not made twice.
 bool asks_something(const LessonSession& session) {
   const std::vector<const Ask*> questions = session.questions();
   return std::any_of(questions.begin(), questions.end(), [&](const Ask* ask) {
     const AnswerRecord* record = session.record(*ask);
-    return !record || record->tries == 0;
+    if (!record || record->tries == 0) return true;
+    return record->right == 0 && ask->type != Ask::Type::predict && !session.is_awaited(*ask);
   });
 }
 
@@ -163,8 +167,8 @@ float panel_buttons_width(const PanelContext& context) {
 
 }  // namespace
 
-float bar_height(const ControlSizes& sizes, float width) {
-  return is_narrow(sizes, width) ? std::round(1.6F * sizes.bar) : sizes.bar;
+float bar_height(const ControlSizes& sizes, float width, Language language) {
+  return is_narrow(sizes, width, language) ? std::round(1.6F * sizes.bar) : sizes.bar;
 }
 
 void draw_bar(PanelContext& context, const Region& region) {
@@ -172,7 +176,7 @@ void draw_bar(PanelContext& context, const Region& region) {
   ImGui::SetNextWindowPos({region.x, region.y});
   ImGui::SetNextWindowSize({region.width, region.height});
   const float frame = ImGui::GetFontSize() + 2 * style.FramePadding.y;
-  const bool narrow = is_narrow(context.sizes, region.width);
+  const bool narrow = is_narrow(context.sizes, region.width, context.language());
   const float above =
       narrow ? 0.5F * (region.height - 2 * frame - style.ItemSpacing.y) : 0.5F * (region.height - frame);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.sizes.padding * 1.4F, std::round(above)));

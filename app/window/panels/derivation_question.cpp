@@ -75,7 +75,8 @@ void ask_for_line(PanelContext& context, const Ask& ask, DerivationWork& work, s
   const std::string next_words = context.said(words::kEnterLine);
   if (text_field(context, "##line", context.said(words::kNextLine).c_str(), next_words.c_str(), typed)) {
     next();
-    keep_typing(!work.is_done());
+    // Behind the last line the focus stays with the panel: who types one more gives no commands by it.
+    if (!work.is_done()) keep_typing(true);
   }
   work.type(typed);
   ImGui::SameLine();
@@ -96,7 +97,10 @@ void ask_for_derivation(PanelContext& context, const Ask& ask, std::string& type
     show_line(context, work.lines()[i], i + 1,
               mark == Mark::holds || (mark == Mark::goal && !work.is_too_short()));
   }
-  if (work.is_done()) right_words(context.said(words::kGoalIsReached));
+  if (work.is_done())  // in the lesson's words, since the last line may say it in others
+    context.texts.show(
+        opened_by(context.said(words::kGoalIsReached), line_of_tex(work.derivation().goal.tex)),
+        TextInk::right);
   if (work.is_too_short())
     warning_words(
         words::kGoalWithoutLines.with(context.language(), {std::to_string(work.derivation().least_lines)}));

@@ -213,8 +213,8 @@ void MethodPanel::choose_from_front(PanelContext& context, const SceneModel& mod
   const std::string error =
       is_reference ? context.said(words::kReferenceOfOthers)
                    : words::kErrorAfterPeriods.with(context.language(), {number(readable(step.error, 2))});
-  quiet_words(
-      words::kFrontStep.with(context.language(), {step.name, error, number(time_text(step.ns_per_period))}));
+  quiet_words(words::kFrontStep.with(context.language(), {named_in(context.language(), step.choice), error,
+                                                          number(time_text(step.ns_per_period))}));
 }
 
 void MethodPanel::show_accuracy(PanelContext& context, const SceneModel& model) {

@@ -62,7 +62,7 @@ struct PanelContext {
 };
 
 /// Of the bar in a window of this width: narrow ones have two rows.
-float bar_height(const ControlSizes& sizes, float width);
+float bar_height(const ControlSizes& sizes, float width, Language language);
 /// The row of controls below the page.
 void draw_bar(PanelContext& context, const Region& region);
 

@@ -240,7 +240,8 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
   }
   const JudgedAnswer* answer = context.session.judged(ask);
   if (!ask.derivation && !ask.task) {
-    if (answer != nullptr && answer->judgement.choice == 0) {
+    const bool is_of_typed = typed.empty() || answer == nullptr || typed == answer->text;
+    if (answer != nullptr && answer->judgement.choice == 0 && is_of_typed) {
       show_verdict(context, ask, *answer);
       context.texts.show(text_after(ask, answer->judgement));
     }

@@ -154,7 +154,8 @@ float Screen::panel_width(const LessonSession& session, Size size) const {
 /// What the bar leaves. A panel lies over the figure's side: nothing of the text moves.
 Region Screen::page_region(const LessonSession& session, Size size) const {
   Region region{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
-  if (!session.is_presenting()) region.height -= bar_height(*sizes_, region.width);
+  if (!session.is_presenting())
+    region.height -= bar_height(*sizes_, region.width, session.lesson().about.language);
   return region;
 }
 

@@ -123,9 +123,11 @@ TEST(ParetoSteps, GoFromFastToAccurateWithTheClosedFormLast) {
   const auto steps = pareto_steps({row(Method::exact, 1, 0), row(Method::dormand_prince_8, 9, 1e-6),
                                    row(Method::rk4, 8, 1e-3), row(Method::rk4, 20, 1e-5)});
   std::vector<std::string> names;
-  for (const ParetoStep& step : steps) names.push_back(step.name);
+  for (const ParetoStep& step : steps) names.push_back(named_in(Language::en, step.choice));
   EXPECT_THAT(names,
               ElementsAre("rk4, step 0.02 s", "dormand-prince-8, tolerance 1e-6", "exact, closed form"));
+  EXPECT_EQ(named_in(Language::de, steps[0].choice), "rk4, Schritt 0,02 s");
+  EXPECT_EQ(named_in(Language::de, steps[2].choice), "exact, geschlossene Form");
   EXPECT_EQ(steps[1].choice.tolerance, 1e-6);
   EXPECT_EQ(steps[1].error, 1e-6);
   EXPECT_EQ(steps[1].ns_per_period, 9);
@@ -147,7 +149,8 @@ TEST(FrontMeasurement, EachStepIsMoreAccurateAndMakesAMotion) {
   for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_LE(steps[i].error, steps[i - 1].error);
   for (std::size_t i = 2; i < steps.size(); ++i)
     EXPECT_GE(steps[i - 1].ns_per_period, steps[i - 2].ns_per_period);
-  for (const ParetoStep& step : steps) EXPECT_NO_THROW(make_motion(problem, step.choice)) << step.name;
+  for (const ParetoStep& step : steps)
+    EXPECT_NO_THROW(make_motion(problem, step.choice)) << named_in(Language::en, step.choice);
 }
 
 TEST(FrontMeasurement, UnderATorqueThereIsNoClosedForm) {

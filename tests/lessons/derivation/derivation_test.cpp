@@ -144,6 +144,18 @@ TEST(Derivation, ARateOfAProductIsNotYetTheGoal) {
   EXPECT_EQ(mark("I omega' + omega x (I omega) = N"), Mark::goal);
 }
 
+// 2026-11-29: a right side alone, as one writes it below the line before, was "unreadable: there is no =
+// here".
+TEST(Derivation, ALineWithoutItsSignSaysHowToGoOn) {
+  const Derivation question = derivations().at("tensor");
+  for (const char* typed : {"I omega' + omega x (I omega)", "0"}) {
+    const LineJudgement judgement = judge_line(question, {}, typed, kHow, Prover());
+    EXPECT_EQ(judgement.mark, Mark::unreadable) << typed;
+    EXPECT_EQ(judgement.reason, "a line is an equation, with =") << typed;
+    EXPECT_EQ(judgement.hint, "begin it with = to go on from the line above") << typed;
+  }
+}
+
 // 803 lines, written and checked numerically by somebody who had the description of the typing alone: in how
 // many is the verdict right, and in how many of the wrong ones the reason. Where print leaves it open whether
 // a line is more than true, the data say so ("[or goal]").

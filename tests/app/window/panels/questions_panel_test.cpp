@@ -316,6 +316,29 @@ hints = ["Add it to itself."]
   EXPECT_FALSE(ImGui::GetIO().WantTextInput) << "there is no other";
 }
 
+// 2026-11-29: who typed one more line behind the goal changed the figure, the panel and the text by its
+// letters.
+TEST_F(QuestionsPanelTest, ALineBehindTheGoalIsNoCommand) {
+  const Ask& ask = go_to_question("derive-six");
+  screen->press(session, "Q");
+  frame(5);
+  for (const auto& worked : session.derivation(ask).derivation().worked) {
+    ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+    ImGui::GetIO().AddInputCharactersUTF8(worked.line.typed.c_str());
+    frame(2);
+    give_to_panel(ImGuiKey_Enter);
+    frame(2);
+  }
+  ASSERT_TRUE(session.derivation(ask).is_done());
+  for (const char* letter : {"B", "T", "-", "O", "0", "2"})
+    EXPECT_FALSE(screen->press(session, letter)) << letter;
+  EXPECT_EQ(session.panel, Panel::question);
+  const StepPlace asked = session.place();
+  frame(2);
+  EXPECT_TRUE(screen->press(session, "Right"));
+  EXPECT_NE(session.place(), asked) << "arrows walk";
+}
+
 // 2026-11-26: Enter pressed nothing, and a button that says something else after it was pressed lost the
 // focus.
 TEST_F(QuestionsPanelTest, EnterPressesWhatIsChosenWhichStaysChosen) { expect_hints_by_enter("hold-steady"); }
