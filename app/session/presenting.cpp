@@ -10,7 +10,8 @@ namespace polhode {
 
 void LessonSession::set_presenting(bool presenting) {
   if (presenting != presenting_) {
-    has_speaker_ = black_ = frozen_ = pointing_ = false;
+    set_frozen(false);
+    has_speaker_ = black_ = pointing_ = false;
     if (presenting) {
       panel = Panel::none;
       forget_trials();
@@ -20,9 +21,11 @@ void LessonSession::set_presenting(bool presenting) {
 }
 
 void LessonSession::set_speaker(bool wanted) {
-  if (wanted) set_presenting(true);
+  if (wanted)
+    set_presenting(true);
+  else
+    set_frozen(false);
   has_speaker_ = wanted;
-  frozen_ = frozen_ && wanted;
 }
 
 void LessonSession::set_frozen(bool frozen) {

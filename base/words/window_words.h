@@ -51,6 +51,11 @@ inline constexpr Phrase kTabFirst{"Tab goes to a symbol, a link or a choice firs
                                   "Zuerst führt Tab zu einem Zeichen, einem Verweis oder einer Auswahl."};
 inline constexpr Phrase kNoPanelIsOpen{"No panel is open: the keys are the page's.",
                                        "Keine Tafel ist offen: Die Tasten gelten der Seite."};
+inline constexpr Phrase kLettersAreNoCommands{
+    "Letters and signs are no commands, as chosen in View (F2). Buttons for what they do are there and below "
+    "the page.",
+    "Buchstaben und Zeichen sind keine Befehle, wie in Ansicht (F2) gewählt. Knöpfe dafür gibt es dort und "
+    "unter der Seite."};
 inline constexpr Phrase kEnterGoesToStage{"Enter: go to stage {0}", "Enter: zu Abschnitt {0}"};
 inline constexpr Phrase kNoSuchStage{"There is no stage {0}; the last is {1}.",
                                      "Einen Abschnitt {0} gibt es nicht, der letzte ist {1}."};
@@ -356,12 +361,16 @@ inline constexpr Phrase kWhatReducedIs{"Reduced: nothing fades, travels or plays
                                        "Vermindert: Nichts blendet, wandert oder spielt von selbst."};
 inline constexpr Phrase kLettersAreCommands{"letters are commands", "Buchstaben sind Befehle"};
 inline constexpr Phrase kWithoutLetters{
-    "Without it only arrows, Space and keys with Ctrl or F1 to F12 do something; the buttons below the page "
-    "do the rest.",
-    "Sonst tun nur Pfeile, die Leertaste und Tasten mit Strg oder F1 bis F12 etwas; das Übrige tun die "
-    "Knöpfe unter der Seite."};
+    "Without it letters and signs do nothing; buttons and the right button's menus do it. Before an audience "
+    ". still makes the screen black, as clickers send it, and a number with Enter leads to a stage.",
+    "Sonst tun Buchstaben und Zeichen nichts; dafür gibt es Knöpfe und die Menüs der rechten Maustaste. Vor "
+    "Publikum macht . trotzdem den Bildschirm schwarz, wie Presenter es senden, und eine Zahl mit Enter "
+    "führt "
+    "zu einem Abschnitt."};
 inline constexpr Phrase kForAnAudience{"For an audience", "Für ein Publikum"};
 inline constexpr Phrase kPresent{"Present", "Vortragen"};
+inline constexpr Phrase kPresentWithWindow{"Present, with a window of your own",
+                                           "Vortragen, mit eigenem Fenster"};
 inline constexpr Phrase kFullScreen{"Full screen", "Ganzer Bildschirm"};
 inline constexpr Phrase kLargerFigure{"Larger", "Größer"};
 inline constexpr Phrase kBesideText{"Beside the text", "Neben den Text"};

@@ -35,6 +35,8 @@ void draw_help(PanelContext& context) {
   if (context.has_keys) scroll_by_keys();
   std::string_view group;
   for (const CommandFacts& facts : all_commands()) {
+    // Before an audience its key is that of the black screen.
+    if (facts.command == Command::body && context.session.is_presenting()) continue;
     if (facts.group != group) heading(std::string(group = facts.group).c_str());
     const float left = 8.2F * ImGui::GetFontSize();
     ImGui::PushTextWrapPos(left);

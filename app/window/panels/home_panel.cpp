@@ -60,7 +60,7 @@ void lesson_row(PanelContext& context, const LessonProgress& lesson, std::size_t
   ImGui::PushID(lesson.id.c_str());
   heading(fmt::format("{}  {}", number, lesson.title).c_str());
   quiet_words(about(lesson, context.language()));
-  plain_words(how_far(lesson, context.language()));
+  if (!context.session.is_presenting()) plain_words(how_far(lesson, context.language()));
   const std::string words = lesson.at == 0
                                 ? context.said(words::kBegin)
                                 : words::kGoOnAt.with(context.language(), {std::to_string(lesson.at)});

@@ -97,9 +97,10 @@ void draw_lessons(PanelContext& context) {
       if (ImGui::Button(context.said(words::kOpen).c_str())) context.requests.open_lesson = lesson.id;
       ImGui::SameLine();
       plain_words(lesson.title);
-      quiet_words(words::kSeenAndRight.with(context.language(),
-                                            {std::to_string(lesson.seen), std::to_string(lesson.stages),
-                                             words_of(lesson.questions, context.language())}));
+      if (!context.session.is_presenting())
+        quiet_words(words::kSeenAndRight.with(context.language(),
+                                              {std::to_string(lesson.seen), std::to_string(lesson.stages),
+                                               words_of(lesson.questions, context.language())}));
     }
     ImGui::PopID();
   }

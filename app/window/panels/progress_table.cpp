@@ -31,6 +31,7 @@ void outcome_row(const std::string& outcome, const QuestionCount& count) {
 }  // namespace
 
 void draw_progress(const PanelContext& context) {
+  if (context.session.is_presenting()) return;
   const Lesson& lesson = context.session.lesson();
   const Progress progress = progress_of(lesson, context.session.answers());
   if (progress.all.asked == 0) return;
@@ -99,6 +100,7 @@ void draw_summary(PanelContext& context) {
   heading(context.said(words::kEndOfLesson).c_str());
   go_on_to(context, session.lesson().about.next);
   ImGui::Spacing();
+  if (session.is_presenting()) return;
   draw_progress(context);
   const ToRepeat repeat = to_repeat(session.lesson(), session.answers());
   auto chosen = stages_of(context, words::kToRepeat, repeat.wrong);

@@ -7,11 +7,11 @@
 namespace polhode {
 
 /// How many questions of the lesson were answered right, and for each outcome how many of those that test it.
-/// Nothing where the lesson asks nothing.
+/// Nothing where the lesson asks nothing, and nothing before an audience.
 void draw_progress(const PanelContext& context);
 
 /// At the end of the lesson: the one to go on with, that, and the stages with questions that were answered
-/// wrongly or passed over, to be clicked.
+/// wrongly or passed over, to be clicked; before an audience the lesson alone.
 void draw_summary(PanelContext& context);
 
 }  // namespace polhode

@@ -72,7 +72,9 @@ void draw_settings(PanelContext& context) {
   quiet_words(context.said(words::kWithoutLetters));
   heading(context.said(words::kForAnAudience).c_str());
   if (ImGui::Button(context.said(words::kPresent).c_str(), {-1, 0})) session.set_presenting(true);
-  tooltip_of_last(told(Command::present) + "; " + told(Command::notes));
+  tooltip_of_last(told(Command::present));
+  if (ImGui::Button(context.said(words::kPresentWithWindow).c_str(), {-1, 0})) session.set_speaker(true);
+  tooltip_of_last(told(Command::notes));
   if (ImGui::Button(context.said(words::kFullScreen).c_str(), {-1, 0})) context.requests.full_screen = true;
   tooltip_of_last(told(Command::full_screen));
 }

@@ -243,6 +243,7 @@ void draw_size_chip(LessonSession& session, bool is_too_small, const Region& fig
 void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets,
                      const std::vector<PixelBox>& names, bool is_held, const Region& figure,
                      const ControlSizes& sizes, ChipPlace& place) {
+  place.box = {};
   if (is_held) return;
   if (!session.is_aside() && !is_changed(session.edits())) {
     place = {};
@@ -295,6 +296,9 @@ void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets,
         taken.bodies.push_back(body);
     place = {clearest(corners, taken), figure};
   }
+  const PixelBox& box = corners[place.corner];
+  place.box = {static_cast<float>(box.x0), static_cast<float>(box.y0), static_cast<float>(box.width()),
+               static_cast<float>(box.y1 - box.y0)};
   const bool leftward = place.corner > 0, low = place.corner > 1;
   ImGui::SetNextWindowPos({static_cast<float>(leftward ? x0 : x1), static_cast<float>(low ? y1 : y0)},
                           ImGuiCond_Always, {leftward ? 0.0F : 1.0F, low ? 1.0F : 0.0F});

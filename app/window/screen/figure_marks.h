@@ -55,6 +55,7 @@ void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& ins
 struct ChipPlace {
   std::size_t corner = 0;  ///< upper right, upper left, lower left
   Region of{};             ///< the figure
+  Region box{};            ///< of the chip as it was drawn last; without width: it was not
 };
 /// In a corner of the figure, the region, clear of what is drawn there as far as can be: that the scene was
 /// changed, or is that of a counterexample, with a button that leads back; on one line where it has room.

@@ -222,7 +222,11 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
     tell(said(session, session.has_speaker() ? words::kPresentingWithSpeaker : words::kPresenting));
     return true;
   }
-  if (is_character(key) && (!session.preferences.letter_keys || panels_.awaits_text())) return false;
+  if (is_character(key) && panels_.awaits_text()) return false;
+  if (is_character(key) && !session.preferences.letter_keys) {
+    if (!session.is_presenting()) tell(said(session, words::kLettersAreNoCommands));
+    return false;
+  }
   if (is_repeated && !facts_of(*command).repeats) return true;
   const Panel before = session.panel;
   requests_.leave_full_screen = *command == Command::leave && before == Panel::none &&
@@ -232,6 +236,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   if (goes_on && holds_back(session, is_repeated)) return true;
   if (const std::string why = why_idle(session, *command); !why.empty()) {
     tell(why);
+    idle_ = *command;
     return true;
   }
   if (do_command(session, *command)) {
@@ -269,7 +274,15 @@ bool Screen::press_from_afar(LessonSession& session, std::string_view key, bool 
   return is_done;
 }
 
+/// The number of a stage as far as it was typed: with it goes what was told of it.
+std::string Screen::take_number(const LessonSession& session) {
+  const Language language = session.lesson().about.language;
+  if (!digits_.empty() && notices_.told() == words::kEnterGoesToStage.with(language, {digits_})) tell("");
+  return std::exchange(digits_, "");
+}
+
 /// B is the key for a black screen on every desk. Digits are the number of a stage, which Enter goes to.
+/// Clickers send the period: it is a command for who wants no letters, too, and so is that number.
 bool Screen::press_while_presenting(LessonSession& session, std::string_view key) {
   // No number begins with 0, which alone is a command.
   const bool is_digit = key.size() == 1 && key[0] >= (digits_.empty() ? '1' : '0') && key[0] <= '9';
@@ -278,7 +291,9 @@ bool Screen::press_while_presenting(LessonSession& session, std::string_view key
     tell(words::kEnterGoesToStage.with(session.lesson().about.language, {digits_}));
     return true;
   }
-  const std::string digits = std::exchange(digits_, "");
+  if (is_character(key) && key != "." && !is_digit && !session.preferences.letter_keys) return false;
+  const std::string digits = take_number(session);
+  if (key == "Escape" && !digits.empty()) return true;
   if (key == "Enter" && !digits.empty()) {
     const std::vector<std::size_t> stages = session.counted_stages();
     const std::size_t number = std::stoul(digits), last = stages.size();
@@ -411,6 +426,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   const double begun_s = now_s();
   ImGui::SetCurrentContext(imgui_);
   clock_s_ += frame.seconds;
+  if (frozen_ && !session.is_frozen() && !session.has_speaker()) go_back_to_frozen(session);
   session.advance(was_moving_ ? std::min(frame.seconds, kLongestFrame_s) : 0);  // rest is no time that passes
   adopt_style(session, frame);
   if (shown_place_ != session.place()) {
@@ -422,11 +438,10 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     held_back_.reset();
     choice_in_focus_.reset();
     has_menu_ = false;  // what it offers is of the step before, and so is what was told
+    take_number(session);
     if (!notices_.is_new()) tell("");
   }
-  const bool is_held =
-      held_back_ == session.place() && !session.is_presenting() && has_open_prediction(session);
-  if (notices_.told() == said(session, words::kAnswerFirst) && !is_held) tell("");
+  forget_what_is_over(session);
   notices_.begin_frame(clock_s_);
   if (session.is_black()) has_menu_ = false;  // nothing of it is seen
   stage_title_ = speech_->words_of_title(session.stage());
@@ -454,7 +469,8 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   if (requests_.save_as) save(session);
   if (!requests_.slides.empty()) name_slides(session);
   symbols_.draw_note(session, *page_, sizes_->em);
-  if (!session.has_speaker()) draw_notices(region_of_notices(session, frame.size), sizes_->padding);
+  if (!session.has_speaker() && !session.is_black())
+    draw_notices(above_chip(region_of_notices(session, frame.size)), sizes_->padding);
   if (!session.is_black()) draw_scroll_marks(session);
   draw_invitation(session);
   draw_spot(session);
@@ -492,7 +508,39 @@ Status Screen::keep_for_audience(const LessonSession& session) {
   if (!made) return failure(made.error());
   frozen_ = std::move(made).value();
   picture_->copy_to(*frozen_, 0, 0);
+  seen_ = {session.place(), session.edits(), session.t_s(), session.is_enlarged()};
   return success();
+}
+
+/// Who closes the speaker's window, or ends the talk, while the page is frozen has not released it: where he
+/// looked was for him alone, and the audience goes on seeing what it saw, at rest.
+void Screen::go_back_to_frozen(LessonSession& session) {
+  session.panel = Panel::none;
+  session.go_to(seen_.place);
+  session.begin_change();
+  // It was possible before; of a lesson that was changed meanwhile it may not be.
+  if (session.edits() != seen_.edits) static_cast<void>(session.set_edits(seen_.edits));
+  session.set_enlarged(seen_.is_enlarged);
+  if (!session.has_scene()) return;
+  session.set_playing(false);
+  session.scrub_to(seen_.t_s);
+}
+
+/// A notice that is not true any more does not stay for the rest of its time.
+void Screen::forget_what_is_over(const LessonSession& session) {
+  if (!session.is_presenting()) take_number(session);
+  const std::string& told = notices_.told();
+  if (!notices_.seconds_left(clock_s_)) return;
+  const auto is = [&](const Phrase& phrase) { return told == said(session, phrase); };
+  const bool is_held =
+      held_back_ == session.place() && !session.is_presenting() && has_open_prediction(session);
+  const bool is_of_talk =
+      is(words::kHowToPresent) || is(words::kPresenting) || is(words::kPresentingWithSpeaker);
+  if ((is(words::kAnswerFirst) && !is_held) || (is_of_talk && !session.is_presenting()) ||
+      (is(words::kNoPanelIsOpen) && session.panel != Panel::none) ||
+      (is(words::kLettersAreNoCommands) && session.preferences.letter_keys) ||
+      (idle_ && why_idle(session, *idle_) != told))
+    tell("");
 }
 
 /// At the lower edge of what a panel leaves of the page, but where there is a figure beside the text, or
@@ -518,6 +566,17 @@ Region Screen::region_of_notices(const LessonSession& session, Size size) const 
     region.width = whole - text;
   else
     region.height = std::min(region.height, pictures);
+  return region;
+}
+
+/// What is told covers no button of a changed scene.
+Region Screen::above_chip(Region region) const {
+  const Region& chip = chip_.box;
+  const float strip = notices_.height(region, sizes_->padding, clock_s_), end = region.y + region.height;
+  const bool is_beside = chip.x + chip.width <= region.x || chip.x >= region.x + region.width;
+  const bool is_clear = chip.y + chip.height <= end - strip || chip.y >= end;
+  const bool has_room_above = chip.y - region.y >= strip;
+  if (chip.width > 0 && !is_beside && !is_clear && has_room_above) region.height = chip.y - region.y;
   return region;
 }
 
@@ -579,6 +638,7 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
 /// On the figure as the last frame had it: the first has none yet.
 void Screen::lay_out_sliders(LessonSession& session) {
   varies_ = false;
+  chip_.box = {};
   const PixelBox& at = page_->page().figure;
   if (session.is_black() || session.panel == Panel::lessons || at.width() <= 0) return;
   // What of it is beside a panel, if that is enough: what lies on the figure is covered with it, and never
@@ -608,7 +668,7 @@ void Screen::lay_out_sliders(LessonSession& session) {
   const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);
-  if (!session.has_speaker())  // in whose window it is then
+  if (!session.is_presenting())  // the speaker's window has it
     draw_scene_chip(session, page_->insets(),
                     session.is_moving() ? std::vector<PixelBox>() : page_->type_beside_text(),
                     drag_.holds_omega(), figure, *sizes_, chip_);

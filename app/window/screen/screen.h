@@ -53,7 +53,10 @@ class Screen {
   bool is_full() const { return is_full_; }
 
   /// Shown in a strip above the bar: an error of the lesson until it is mended, news for a few seconds.
-  void tell(const std::string& text) { notices_.tell(text); }
+  void tell(const std::string& text) {
+    notices_.tell(text);
+    idle_.reset();
+  }
   /// What lessons there are: asked for when a panel first lists them.
   void set_lessons(std::function<std::vector<LessonProgress>()> lessons) {
     find_lessons_ = std::move(lessons);
@@ -98,6 +101,7 @@ class Screen {
   float panel_width(const LessonSession& session, Size size) const;
   float panel_height(const LessonSession& session, const Region& page) const;
   Region region_of_notices(const LessonSession& session, Size size) const;
+  Region above_chip(Region region) const;
   float covered_width(const LessonSession& session, Size size) const;
   bool press_while_presenting(LessonSession& session, std::string_view key);
   bool holds_back(const LessonSession& session, bool is_repeated);
@@ -135,6 +139,9 @@ class Screen {
   std::string words_of_block(const Block& block) const;
   void draw_spot(const LessonSession& session) const;
   Status keep_for_audience(const LessonSession& session);
+  void go_back_to_frozen(LessonSession& session);
+  std::string take_number(const LessonSession& session);
+  void forget_what_is_over(const LessonSession& session);
 
   std::unique_ptr<const Gl> gl_;
   std::unique_ptr<Renderer> renderer_;
@@ -142,6 +149,14 @@ class Screen {
   ImGuiContext* imgui_;
   std::unique_ptr<PageView> page_;
   std::optional<Framebuffer> picture_, frozen_;
+  /// Where the session was in that moment: what the audience sees in frozen_.
+  struct Seen {
+    StepPlace place;
+    SceneEdits edits;
+    double t_s = 0;
+    bool is_enlarged = false;
+  };
+  Seen seen_{};
   bool is_black_ = false;  ///< in the last frame
   std::optional<Vec2> pointed_from_afar_{};
   Pace pace_;
@@ -182,6 +197,7 @@ class Screen {
   const Ask* begun_ = nullptr;         ///< to this
   std::vector<unsigned> typed_ahead_;  ///< before its field had the keyboard
   std::string digits_;                 ///< typed while presenting: the number of a stage
+  std::optional<Command> idle_;        ///< what was told last is why it has nothing to do
 };
 
 }  // namespace polhode

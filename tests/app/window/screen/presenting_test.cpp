@@ -2,6 +2,8 @@
 // Before an audience: the keys of clickers and of those who have given many talks.
 #include "tests/app/window/screen_harness.h"
 
+#include <imgui_internal.h>
+
 namespace polhode {
 namespace {
 
@@ -150,6 +152,115 @@ TEST_F(PresentingTest, F5EndsNoTalk) {
   EXPECT_FALSE(session.is_presenting());
   screen->press(session, "F5");
   EXPECT_TRUE(session.is_presenting());
+}
+
+// 2026-11-29: "Enter: go to stage 2" stood on the ordinary window when the talk had ended.
+TEST_F(PresentingTest, ANumberIsTakenBack) {
+  screen->press(session, "2");
+  EXPECT_NE(screen->notice().find("stage 2"), std::string::npos) << screen->notice();
+  screen->press(session, "Escape");
+  EXPECT_TRUE(session.is_presenting()) << "Escape takes the number back first";
+  EXPECT_EQ(screen->notice(), "");
+  screen->press(session, "Enter");
+  EXPECT_EQ(session.place(), StepPlace{});
+  screen->press(session, "2");
+  session.set_presenting(false);  // by a button, say
+  frame();
+  EXPECT_EQ(screen->notice(), "");
+  screen->press(session, "P");
+  frame();
+  screen->press(session, "Enter");
+  EXPECT_EQ(session.place(), StepPlace{}) << "a number of the talk before";
+  screen->press(session, "2");
+  screen->press(session, "T");
+  EXPECT_EQ(screen->notice(), "") << "another key ends the number, too";
+}
+
+// 2026-11-29
+TEST_F(PresentingTest, WhatIsToldGoesWhenItIsNoLongerSo) {
+  EXPECT_NE(screen->notice().find("Escape ends"), std::string::npos) << screen->notice();
+  screen->press(session, ".");
+  EXPECT_TRUE(is_black()) << "a hint is not told on a black screen";
+  screen->press(session, ".");
+  screen->press(session, "Escape");
+  frame();
+  EXPECT_EQ(screen->notice(), "") << "Escape ends nothing any more";
+  screen->press(session, "F6");
+  EXPECT_NE(screen->notice(), "");
+  screen->press(session, "O");
+  frame();
+  EXPECT_EQ(screen->notice(), "") << "a panel is open";
+  screen->press(session, "Escape");
+  screen->press(session, "R");
+  EXPECT_NE(screen->notice(), "") << "the scene is the lesson's";
+  screen->press(session, "V");
+  frame();
+  EXPECT_EQ(screen->notice(), "");
+}
+
+// 2026-11-29: who had switched letters off made the screen black with B.
+TEST_F(PresentingTest, WithoutLettersOnlyWhatClickersSendIsACommand) {
+  session.preferences.letter_keys = false;
+  for (const char* key : {"B", "L", "N", "T", "O"}) {
+    EXPECT_FALSE(screen->press(session, key)) << key;
+    EXPECT_FALSE(session.is_black()) << key;
+    EXPECT_FALSE(session.is_pointing()) << key;
+    EXPECT_EQ(session.panel, Panel::none) << key;
+  }
+  screen->press(session, ".");
+  EXPECT_TRUE(session.is_black());
+  screen->press(session, "L");
+  EXPECT_TRUE(session.is_black()) << "it does nothing there either";
+  screen->press(session, ".");
+  EXPECT_FALSE(session.is_black());
+  for (const char* key : {"1", "2", "Enter"}) EXPECT_TRUE(screen->press(session, key)) << key;
+  EXPECT_EQ(session.place(), (StepPlace{11, 0}));
+}
+
+// 2026-11-29: N did nothing, and nothing else led to the speaker's window.
+TEST_F(PresentingTest, ALetterThatIsNoCommandSaysSo) {
+  screen->press(session, "P");
+  frame();
+  session.preferences.letter_keys = false;
+  EXPECT_FALSE(screen->press(session, "N"));
+  EXPECT_NE(screen->notice().find("F2"), std::string::npos) << screen->notice();
+  session.preferences.letter_keys = true;
+  frame();
+  EXPECT_EQ(screen->notice(), "") << "they are commands again";
+}
+
+// 2026-11-29: before the audience stood "changed by hand" with buttons.
+TEST_F(PresentingTest, ThatTheSceneWasChangedIsNotOnThePage) {
+  SceneEdits edits;
+  edits.views = {View::body};
+  ASSERT_TRUE(session.set_edits(edits));
+  frame(3);
+  const ImGuiWindow* chip = ImGui::FindWindowByName("changed-scene");
+  EXPECT_TRUE(chip == nullptr || !chip->Active);
+  EXPECT_TRUE(screen->press(session, "Ctrl+Z"));
+  EXPECT_TRUE(session.edits().empty());
+  ASSERT_TRUE(session.set_edits(edits));
+  screen->press(session, "P");
+  frame(3);
+  chip = ImGui::FindWindowByName("changed-scene");
+  ASSERT_NE(chip, nullptr) << "one who reads is told";
+  EXPECT_TRUE(chip->Active);
+}
+
+// 2026-11-29: the outline told an audience how its speaker had answered.
+TEST_F(PresentingTest, TheOutlineHasNoScores) {
+  const auto has_scores = [this] {
+    screen->press(session, "O");
+    frame(3);
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+      if (window->Active && std::string(window->Name).find("contents") != std::string::npos)
+        return ImGui::GetCurrentContext()->Tables.GetMapSize() > 0;
+    return false;
+  };
+  EXPECT_FALSE(has_scores());
+  screen->press(session, "Escape");
+  screen->press(session, "P");
+  EXPECT_TRUE(has_scores()) << "for who reads they are there";
 }
 
 // 2026-11-28: "stage 13 of 29" stood before a class for which two stages had been chosen.

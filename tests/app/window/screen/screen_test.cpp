@@ -1252,5 +1252,29 @@ TEST_F(ScreenTest, TheChipOfAChangeLeavesTheStandOfATop) {
   EXPECT_GT(seen, 1);
 }
 
+// 2026-11-29: "saved: …" lay over the buttons of a changed scene.
+TEST_F(ScreenTest, WhatIsToldCoversNoButtonOfAChangedScene) {
+  int low = 0;
+  session.panel = Panel::save;
+  for (std::size_t stage = 0; stage < session.lesson().stages.size() && low < 2; ++stage) {
+    session.go_to({stage, 0});
+    if (!session.has_scene()) continue;
+    ASSERT_TRUE(session.set_edits({.w0_B = Vec3(1.1 * session.model()->scene.w0_B + Vec3(0, 0, 0.1))}));
+    frame(2);
+    screen->tell("saved: /home/somebody/lectures/rotation/slides/of-this-term/19-poinsot-step2.png");
+    frame(3);
+    const ImGuiWindow *strip = nullptr, *chip = nullptr;
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+      if (window->Active && std::string_view(window->Name) == "strip") strip = window;
+      if (window->Active && std::string_view(window->Name) == "changed-scene") chip = window;
+    }
+    if (chip == nullptr) continue;
+    ASSERT_NE(strip, nullptr);
+    EXPECT_FALSE(strip->Rect().Overlaps(chip->Rect())) << session.stage().id;
+    low += chip->Pos.y + chip->Size.y > strip->Pos.y ? 1 : 0;
+  }
+  EXPECT_GT(low, 0) << "none stood as low as notices do";
+}
+
 }  // namespace
 }  // namespace polhode

@@ -174,6 +174,59 @@ TEST_F(SpeakerTest, LooksElsewhereWhileTheAudienceSeesWhatItSaw) {
   EXPECT_FALSE(session.is_frozen()) << "nobody could look elsewhere";
 }
 
+// 2026-11-29: Alt+F4 in the speaker's window brought the step that he looked at, the answer, before the
+// audience.
+TEST_F(SpeakerTest, WhatTheAudienceSeesDoesNotGoOnWhenTheWindowIsClosed) {
+  for (const bool talk_ends : {false, true}) {
+    session.go_to({1, 0});
+    session.set_speaker(true);
+    both();
+    const Image before = screen->for_audience().read();
+    const double seen_s = session.t_s();
+    ASSERT_TRUE(screen->press_from_afar(session, "H", false));
+    both();
+    SceneEdits edits = session.edits();
+    edits.views = {View::body};
+    ASSERT_TRUE(session.set_edits(edits));
+    session.scrub_to(seen_s + 1);
+    ASSERT_TRUE(screen->press_from_afar(session, "Home", false));
+    ASSERT_TRUE(screen->press_from_afar(session, "S", false));
+    both();
+    EXPECT_NE(session.place(), (StepPlace{1, 0}));
+    if (talk_ends)
+      session.set_presenting(false);
+    else
+      session.set_speaker(false);
+    ImGui::SetCurrentContext(screen->imgui());
+    frame();
+    EXPECT_EQ(session.place(), (StepPlace{1, 0}));
+    EXPECT_EQ(session.t_s(), seen_s);
+    EXPECT_EQ(session.panel, Panel::none);
+    EXPECT_TRUE(session.edits().empty());
+    EXPECT_EQ(session.is_presenting(), !talk_ends);
+    if (!talk_ends) {
+      EXPECT_EQ(screen->for_audience().read().rgba, before.rgba);
+    }
+    screen->press(session, "Left");
+    frame();
+    EXPECT_EQ(session.place(), (StepPlace{0, 1})) << "until one walks";
+  }
+}
+
+TEST_F(SpeakerTest, ReleasedThePageGoesOnToWhereTheSpeakerIs) {
+  both();
+  screen->press_from_afar(session, "H", false);
+  both();
+  screen->press_from_afar(session, "Right", false);
+  both();
+  screen->press_from_afar(session, "H", false);
+  both();
+  session.set_speaker(false);
+  ImGui::SetCurrentContext(screen->imgui());
+  frame();
+  EXPECT_EQ(session.place(), (StepPlace{0, 1}));
+}
+
 // 2026-11-28: the audience saw letters half faded in, one above the other, for as long as the page was
 // frozen.
 TEST_F(SpeakerTest, AStepThatIsComingInComesInBeforeItIsFrozen) {
@@ -264,7 +317,10 @@ TEST_F(SpeakerTest, HasTheChipOfAChangeAndTheAudienceHasNot) {
   session.set_speaker(false);
   ImGui::SetCurrentContext(screen->imgui());
   frame(3);
-  EXPECT_TRUE(is_shown(screen->imgui())) << "there is no other place for it";
+  EXPECT_FALSE(is_shown(screen->imgui())) << "nor while the page is alone";
+  session.set_presenting(false);
+  frame(3);
+  EXPECT_TRUE(is_shown(screen->imgui()));
 }
 
 }  // namespace
