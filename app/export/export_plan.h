@@ -26,6 +26,8 @@ const char* name_of(PictureFormat format);
 struct ExportOptions {
   What what = What::page;
   std::vector<std::string> stages;  ///< ids; empty: all
+  /// Pages say "stage 2 of 3" of those stages, as before an audience; else as the lesson counts.
+  bool counts_chosen = false;
   Each each = Each::stage;
   Size size{1920, 1080};       ///< of pages and figures
   FrameRate fps;               ///< of Each::frame

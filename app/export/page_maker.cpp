@@ -174,10 +174,24 @@ class PageMaker : public PictureMaker {
     return request;
   }
 
+  /// Absent: as the lesson counts.
+  std::optional<PageRequest::Count> count_of(const Stage& stage) const {
+    const std::vector<std::string>& chosen = context_.options.stages;
+    if (!context_.options.counts_chosen || chosen.empty()) return std::nullopt;
+    PageRequest::Count here{0, 0};
+    for (const Stage& known : context_.lesson.stages) {
+      if (std::find(chosen.begin(), chosen.end(), known.id) == chosen.end()) continue;
+      ++here.count;
+      if (&known == &stage) here.number = here.count;
+    }
+    return here;
+  }
+
   PageRequest plain_request_of(const PlannedPicture& picture, const Shown& shown) {
     return {.lesson = context_.lesson,
             .stage = *picture.stage,
             .number = picture.number,
+            .counted_as = count_of(*picture.stage),
             .step = picture.step,
             .model = shown.model,
             .t_s = shown.t_s,

@@ -389,6 +389,7 @@ ProgramCommand export_command() {
        {"-o,--output", &typed->folder, "folder for the files; made if missing", "DIR", false,
         offer_folders()},
        {"--stage", &typed->stages, "only this stage; repeat for more (default: all)", "ID"},
+       {"--count-chosen", &typed->count_chosen, "pages count those stages, not all of the lesson"},
        {"--what", &typed->what, "page, equation, figure or transcript (default: page)", "KIND", false,
         offer(export_words().what)},
        {"--profile", &typed->profile, "of pages: slides to project, or page to read (default: slides)",

@@ -260,6 +260,7 @@ void refuse_all_of_pictures(const TypedExport& typed, const std::string& reason)
                 {"--jobs", typed.jobs}},
                reason);
   if (typed.skip_existing) throw usage("--skip-existing " + reason);
+  if (typed.count_chosen) throw usage("--count-chosen " + reason);
 }
 
 void check_html(std::string_view option, const std::string& file) {
@@ -379,6 +380,10 @@ ExportOptions export_options(const TypedExport& typed) {
   options.dpi = dpi_of(typed.dpi, typed.size, options.what, options.format);
   options.png = static_cast<PngPacking>(choice("--png", typed.png, export_words().png));
   check_live(typed, options);
+  options.counts_chosen = typed.count_chosen;
+  if (options.counts_chosen && (options.what != What::page || options.stages.empty()))
+    throw usage("--count-chosen goes with --stage and pages");
+  if (options.counts_chosen && typed.live) throw usage("--count-chosen does not go with --live");
   return options;
 }
 

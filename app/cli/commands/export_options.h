@@ -20,6 +20,7 @@ struct TypedExport {
   std::string film, deck, reader, sandbox, site, url, shard, jobs;
   std::vector<std::string> with;
   bool live = false;
+  bool count_chosen = false;
   bool skip_existing = false;
   std::vector<std::string> words;  ///< the command line, program and options, without --skip-existing
 };

@@ -177,6 +177,7 @@ class SlidesJob {
       if (chosen.size() == session.lesson().stages.size()) break;
       words.insert(words.end(), {"--stage", session.lesson().stages[stage].id});
     }
+    if (chosen.size() < session.lesson().stages.size()) words.emplace_back("--count-chosen");
     auto begun = BackgroundProgram::start(std::move(words));
     if (!begun) return "not saved: " + begun.error();
     program_ = std::move(begun).value();

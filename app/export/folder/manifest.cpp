@@ -118,6 +118,7 @@ std::string options_json(const ExportOptions& options) {
   // So that what was exported before there was a choice is still the same export.
   if (options.what == What::page && options.profile == Profile::slides) json["profile"] = "slides";
   if (options.text_scale != 1.0) json["text_size"] = options.text_scale;
+  if (options.counts_chosen) json["count"] = "chosen";
   json["dpi"] = options.dpi ? Json(options.dpi) : Json(nullptr);
   const bool pixels = options.format == PictureFormat::png;
   if (!pixels) json["format"] = name_of(options.format);

@@ -325,6 +325,31 @@ TEST(ExportPages, SlidesAreTheDefaultAndEveryStepHasOne) {
   EXPECT_THAT(second, testing::Not(HasSubstr("About axis 3"))) << "of the step before";
 }
 
+// 2026-11-29: slides that the window saved of chosen stages said "stage 3 of 14" where the presentation of
+// the same said 2 of 3.
+TEST(ExportPages, CountTheStagesThatAreChosen) {
+  const ScratchFolder scratch;
+  const Words chosen = {"--size", "320x240", "--stage", "words", "--stage", "rolling"};
+  Words counted = chosen;
+  counted.emplace_back("--count-chosen");
+  ASSERT_EQ(export_what("page", scratch / "a", chosen).code, 0);
+  ASSERT_EQ(export_what("page", scratch / "b", counted).code, 0);
+  EXPECT_EQ(names_in(scratch / "a"), names_in(scratch / "b")) << "files have the lesson's numbers";
+  const auto of_lesson = read_png(scratch / "a/03-rolling-step1.png");
+  const auto of_chosen = read_png(scratch / "b/03-rolling-step1.png");
+  ASSERT_TRUE(of_lesson.ok() && of_chosen.ok());
+  EXPECT_NE(of_lesson->image.rgba, of_chosen->image.rgba) << "stage 3 of 3, stage 2 of 2";
+  Words all = {"--size", "320x240", "--stage", "steady", "--stage", "words", "--stage", "rolling"};
+  ASSERT_EQ(export_what("page", scratch / "c", all).code, 0);
+  all.emplace_back("--count-chosen");
+  ASSERT_EQ(export_what("page", scratch / "d", all).code, 0);
+  EXPECT_EQ(read_png(scratch / "c/03-rolling-step1.png")->image.rgba,
+            read_png(scratch / "d/03-rolling-step1.png")->image.rgba);
+  const ProgramRun refused = export_what("figure", scratch / "e", {"--stage", "rolling", "--count-chosen"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("goes with --stage and pages"));
+}
+
 TEST(ExportPages, ProfilesAreOfPages) {
   const ScratchFolder scratch;
   const ProgramRun run = export_what("figure", scratch.path(), {"--profile", "slides"});
