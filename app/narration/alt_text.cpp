@@ -7,6 +7,8 @@
 #include "physics/body/euler.h"
 #include "render/scene/model/drawn_marks.h"
 #include "render/scene/model/model.h"
+#include "render/scene/model/translation.h"
+#include "render/scene/model/transport_arrow.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -141,8 +143,11 @@ class ChangeInWords {
         std::find(scene_.views.begin(), scene_.views.end(), View::space) != scene_.views.end();
     if (is_seen_from_space && model_.needs.attitude) {
       if (t_s_ == from_s_) return "";
-      std::string rounds = scene_.torque.empty() && draws(scene_, Overlay::L) ? round_L() : "";
-      return rounds.empty() ? turned_axis() : rounds;
+      std::string text = scene_.torque.empty() && draws(scene_, Overlay::L) ? round_L() : "";
+      if (text.empty()) text = turned_axis();
+      for (const std::string& more : {arrow_A(), centre()})
+        if (!more.empty()) text += (text.empty() ? "" : " ") + more;
+      return text;
     }
     if (!draws(scene_, Overlay::omega) && !draws(scene_, Overlay::L)) return "";
     std::string rounds = t_s_ == from_s_ ? "" : round_axis();
@@ -189,15 +194,52 @@ class ChangeInWords {
                                                rounds_words(first ? *first : *second, language_)});
   }
 
+  /// By how much a vector that goes with the motion points away from where it pointed.
+  template <class Vector>
+  double away_deg(const Vector& vector_S, double t_s) const {
+    return angle_between(vector_S(from_s_), vector_S(t_s)) * kDegreesPerRadian;
+  }
+
+  auto axis_S(int axis) const {
+    return [this, axis](double t_s) { return model_.motion->at(t_s).q_SB * Vec3(Vec3::Unit(axis)); };
+  }
+
+  /// The axis about which it turns, or, if that stays where it is, the next that does not: all pictures of
+  /// the motion are told by one. Nothing if none moves.
+  std::optional<int> axis_that_turns() const {
+    constexpr double kSeen_deg = 0.5;
+    const int first = largest_component(model_.motion->w_B_at(from_s_));
+    const std::vector<double> times = instants(model_, from_s_, to_s_);
+    if (times.empty()) return first;
+    for (int i = 0; i < 3; ++i) {
+      const int axis = (first + i) % 3;
+      if (std::any_of(times.begin(), times.end(),
+                      [&](double t_s) { return away_deg(axis_S(axis), t_s) >= kSeen_deg; }))
+        return axis;
+    }
+    return std::nullopt;
+  }
+
   std::string turned_axis() const {
-    const int axis = largest_component(model_.motion->w_B_at(from_s_));
-    const Vec3 axis_B = Vec3::Unit(axis);
-    const Vec3 then_S = model_.motion->at(from_s_).q_SB * axis_B,
-               now_S = model_.motion->at(t_s_).q_SB * axis_B;
+    const std::optional<int> axis = axis_that_turns();
+    if (!axis) return "";
     return words::kAxisPoints.with(
-        language_,
-        {std::to_string(axis + 1), fmt::format("{:.0f}", angle_between(then_S, now_S) * kDegreesPerRadian),
-         time_words(from_s_, language_)});
+        language_, {std::to_string(*axis + 1), fmt::format("{:.0f}", away_deg(axis_S(*axis), t_s_)),
+                    time_words(from_s_, language_)});
+  }
+
+  std::string arrow_A() const {
+    if (!drawn_overlays(scene_).contains(Overlay::transport)) return "";
+    const double angle_deg = away_deg([this](double t_s) { return arrow_A_S(model_, t_s); }, t_s_);
+    return words::kArrowAPoints.with(language_,
+                                     {fmt::format("{:.0f}", angle_deg), time_words(from_s_, language_)});
+  }
+
+  std::string centre() const {
+    if (!drifts(scene_)) return "";
+    const Vec3 way_S = translation_at(scene_, t_s_).r_S - translation_at(scene_, from_s_).r_S;
+    return words::kCentreIsAway.with(
+        language_, {short_number_words(way_S.norm(), 3, language_), time_words(from_s_, language_)});
   }
 
   /// Where it goes at least a part of a round over all that is shown, about one axis.

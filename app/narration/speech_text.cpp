@@ -52,8 +52,11 @@ bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 /// Omega is another quantity than omega.
 bool is_greek(std::string_view words) {
   const std::string_view first = words.substr(0, words.find(' '));
-  for (char32_t letter = U'α'; letter <= U'ω'; ++letter)
-    if (name_of_symbol(letter) == first) return true;
+  for (char32_t letter = U'α'; letter <= U'ω'; ++letter) {
+    std::string_view name = name_of_symbol(letter);
+    if (name.starts_with("var")) name.remove_prefix(3);  // said, ε is epsilon
+    if (name == first) return true;
+  }
   return false;
 }
 

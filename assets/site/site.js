@@ -27,6 +27,19 @@
     })),
   }));
 
+  // The keyboard scrolls what is wider than the page, where it is seen.
+  const letScroll = () => {
+    for (const part of document.querySelectorAll(".long")) {
+      if (part.scrollWidth > part.clientWidth && part.clientWidth > 0) {
+        part.tabIndex = 0;
+        part.setAttribute("role", "group");
+        part.setAttribute("aria-label", said.wider);
+      } else {
+        for (const name of ["tabindex", "role", "aria-label"]) part.removeAttribute(name);
+      }
+    }
+  };
+
   const show = () => {
     const formula = typed(sought.value);
     const isFormula = formula.length > 1 && /[^\p{L}]/u.test(formula);
@@ -45,6 +58,7 @@
       count += here;
     }
     found.textContent = !isSearching ? "" : count === 0 ? said.nothing : count === 1 ? said.one : said.several.replace("{0}", count);
+    letScroll();
   };
 
   sought.addEventListener("input", show);
@@ -54,4 +68,11 @@
   });
   form.hidden = false;
   show();
+
+  for (const { details } of parts) details.addEventListener("toggle", letScroll);
+  let waits = 0;
+  addEventListener("resize", () => {
+    clearTimeout(waits);
+    waits = setTimeout(letScroll, 150);
+  });
 })();

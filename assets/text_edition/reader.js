@@ -49,15 +49,17 @@
     });
     const found = /^([-+]?(?:\d+\.?\d*|\.\d+))\s*(?:e([-+]?\d+)|[·×x*]\s*10\s*\^\s*\{?([-+]?\d+)\}?)?\s*(.*)$/i.exec(typed);
     if (!found) return null;
-    const bare = (words) => words.replace(/[\s\u00a0·*]/g, "");
+    // "15.3°" and "15.3 degrees" for 15.3 deg, "2 kg m^2" for 2 kg m².
+    const bare = (words) => words.replace(/[\s\u00a0·*^{}]/g, "").replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹]/g, (c) => raised.indexOf(c))
+      .replace(/⁻/g, "-").replace(/°|degrees?/, "deg");
     if (found[4] !== "" && bare(found[4]) !== bare(unit)) return null;
     return Number(found[1] + "e" + (found[2] || found[3] || "0"));
   };
   const judgeNumber = (form) => {
-    const { value, within, unit } = form.dataset;
+    const { value, within, unit, said } = form.dataset;
     const typed = numberOf(form.querySelector("input").value, unit);
     if (typed === null || !Number.isFinite(typed))
-      return say(form, false, unit ? words.aNumberIn.replace("{0}", unit) : words.aNumber, []);
+      return say(form, false, unit ? words.aNumberIn.replace("{0}", said) : words.aNumber, []);
     const right = Math.abs(typed - Number(value)) <= Number(within);
     say(form, right, right ? words.right : words.notRight, right ? inside(form, ".because") : []);
   };

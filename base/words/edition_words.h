@@ -38,6 +38,10 @@ inline constexpr Phrase kForExampleTyped{"For example {0}", "Zum Beispiel {0}"};
 inline constexpr Phrase kRight{"Right.", "Richtig."};
 inline constexpr Phrase kNotRight{"Not right.", "Nicht richtig."};
 
+/// The name of what the keyboard can scroll.
+inline constexpr Phrase kWider{"Wider than the page; scrolls",
+                               "Breiter als die Seite; lässt sich verschieben"};
+
 // What the page's script says, by the names it asks for.
 inline constexpr auto kEditionScript = std::to_array<NamedPhrase>({
     {"pickOne", {"Pick one of the choices.", "Eine der Antworten auswählen."}},
@@ -49,7 +53,7 @@ inline constexpr auto kEditionScript = std::to_array<NamedPhrase>({
      {"Type a number in {0}, such as 1.5 or 2e-3.", "Eine Zahl in {0} eingeben, etwa 1,5 oder 2e-3."}},
     {"copyTexOf", {"Copy the TeX of equation {0}", "TeX der Gleichung {0} kopieren"}},
     {"copied", {"copied", "kopiert"}},
-    {"wider", {"Wider than the page; scrolls", "Breiter als die Seite; lässt sich verschieben"}},
+    {"wider", kWider},
     {"larger", {"Larger", "Größer"}},
     {"smaller", {"Smaller", "Kleiner"}},
 });
@@ -81,6 +85,7 @@ inline constexpr auto kSiteScript = std::to_array<NamedPhrase>({
     {"nothing", {"Nothing found.", "Nichts gefunden."}},
     {"one", {"1 place", "1 Stelle"}},
     {"several", {"{0} places", "{0} Stellen"}},
+    {"wider", kWider},
 });
 
 }  // namespace polhode::words

@@ -30,6 +30,12 @@ inline constexpr Phrase kScene{"Scene {0}: ", "Szene {0}: "};
 inline constexpr Phrase kAxisPoints{
     "Axis {0} of the body points {1} degrees away from where it pointed at t = {2} seconds.",
     "Achse {0} des Körpers weicht um {1} Grad von ihrer Richtung bei t = {2} Sekunden ab."};
+inline constexpr Phrase kArrowAPoints{
+    "The arrow A points {0} degrees away from where it pointed at t = {1} seconds.",
+    "Der Pfeil A weicht um {0} Grad von seiner Richtung bei t = {1} Sekunden ab."};
+inline constexpr Phrase kCentreIsAway{
+    "The centre of mass is {0} metres from where it was at t = {1} seconds.",
+    "Der Massenmittelpunkt ist {0} Meter von seinem Ort bei t = {1} Sekunden entfernt."};
 inline constexpr Phrase kWentRoundL{"Since t = {0} seconds {1} has gone round L {2}.",
                                     "Seit t = {0} Sekunden ist {1} {2} um L gelaufen."};
 inline constexpr Phrase kBothWentRoundL{"Since t = {0} seconds {1} has gone round L {2}, and {3} has {4}.",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/publish/text_edition/question_html.h"
 
+#include "app/narration/number_text.h"
 #include "app/narration/state_line.h"
 #include "base/words/edition_words.h"
 #include "base/words/page_words.h"
@@ -61,9 +62,18 @@ class QuestionHtml {
   /// What the script judges by.
   std::string data() const {
     if (has_number())
-      return fmt::format(" data-value=\"{:.17g}\" data-within=\"{:.17g}\" data-unit=\"{}\"",
-                         *ask_.number->value, tolerance_of(*ask_.number), html_escaped(ask_.number->unit));
+      return fmt::format(
+          " data-value=\"{:.17g}\" data-within=\"{:.17g}\" data-unit=\"{}\" "
+          "data-said=\"{}\"",
+          *ask_.number->value, tolerance_of(*ask_.number), html_escaped(ask_.number->unit),
+          html_escaped(unit_asked_for()));
     return has_choices(ask_.type) ? fmt::format(" data-answer=\"{}\"", fmt::join(ask_.answers, " ")) : "";
+  }
+
+  /// As it is printed, but degrees by their word.
+  std::string unit_asked_for() const {
+    const std::string& unit = ask_.number->unit;
+    return unit == "deg" || unit == "°" ? unit_in_words(unit, language()) : unit;
   }
 
   static std::string details(const char* name, const std::string& summary, const std::string& inside) {
@@ -83,7 +93,7 @@ class QuestionHtml {
           "type=\"text\" inputmode=\"decimal\" size=\"12\" aria-describedby=\"{0}.prompt\"/></p>\n",
           id_, said(words::kYourAnswer));
     if (!has_choices(ask_.type)) return {};
-    std::string html = fmt::format("<div class=\"choices\" role=\"{}\" aria-labelledby=\"{}.prompt\">\n",
+    std::string html = fmt::format("<div class=\"choices\" role=\"{}\" aria-labelledby=\"{}.label\">\n",
                                    picks_choice(ask_.type) ? "radiogroup" : "group", id_);
     for (std::size_t i = 0; i < ask_.choice_texts.size(); ++i)
       html += picks_choice(ask_.type) ? radio(i) : place(i);

@@ -204,8 +204,12 @@ class MotionTableReader {
       if (!column.number) continue;
       ComputedNumber number = *column.number;
       number.row = row;
-      if (auto math = texts_.formula_of(std::move(number)))
-        cell.push_back(formula_span(std::move(*math), "\\live{" + column.number->written.expression + '}'));
+      if (auto math = texts_.formula_of(std::move(number))) {
+        std::string tex = "\\live{" + column.number->written.expression + '}';
+        // Whoever puts the value into this text, to be copied, is told that all of it is the number.
+        math->live.front().whole = {0, static_cast<std::uint32_t>(tex.size())};
+        cell.push_back(formula_span(std::move(*math), std::move(tex)));
+      }
     }
   }
 

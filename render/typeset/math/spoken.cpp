@@ -161,7 +161,12 @@ class FormulaSpeaker {
       : symbols_(&symbols), say_(say), language_(language) {}
 
   std::string run(const MathNode& root) {
-    node(root);
+    // A sign that stands alone, as the label of an arrow, relates nothing to nothing.
+    const MathNode& alone = without_groups(root);
+    if (const Phrase* part = alone.kind == Kind::symbol ? words_of(words::kParts, alone.character) : nullptr)
+      word(*part);
+    else
+      node(root);
     return std::move(text_);
   }
 
@@ -318,11 +323,18 @@ class FormulaSpeaker {
       case Kind::grid:
         return grid(n);
       case Kind::cancel:
+        if (n.character == U'n') {  // of a relation: \not\subset
+          word(words::kNot);
+          return atoms(n.children);
+        }
         word(words::kStruckOut);
         alone([&] { atoms(n.children); });
         return word(words::kEndOfStruckOut);
       case Kind::arrow:
-        word(words::kGoesTo);
+        if (n.character == U'→')
+          word(words::kGoesTo);
+        else
+          word(word_of(n.character));
         word(words::kBy);
         node(n.children[0]);
         if (!n.children[1].absent()) aside(words::kWithBelow, n.children[1]);
@@ -426,6 +438,11 @@ class FormulaSpeaker {
   void subscript_and_powers(const MathNode& n) {
     if (const MathNode& below = n.children[1]; !below.absent()) {
       const MathNode& first = without_groups(below);
+      if (const Phrase* part =
+              first.kind == Kind::symbol ? words_of(words::kParts, first.character) : nullptr) {
+        word(*part);
+        return powers(n);
+      }
       const bool is_number = is_digit(first.kind == Kind::row ? first.children.front() : first);
       aside(is_number ? words::kSub : words::kSubLetter, below);
     }

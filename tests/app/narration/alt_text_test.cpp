@@ -59,9 +59,9 @@ TEST(AltText, TellsWhatChangesFromMomentToMoment) {
   EXPECT_EQ(moment_in_words(model, {}, 0.0, 3.0, 0.0), "") << "nothing has changed yet";
   EXPECT_EQ(
       moment_in_words(model, {}, 0.0, 3.0, 1.5707963),
-      "The same at t = 1.571 seconds. Axis 2 of the body points 0 degrees away from where it pointed at "
+      "The same at t = 1.571 seconds. Axis 3 of the body points 180 degrees away from where it pointed at "
       "t = 0 seconds.")
-      << "only the axis about which it turns";
+      << "no axis that stays where it is";
   scene.views = {View::body};
   model = make_model(scene);
   EXPECT_EQ(moment_in_words(model, {}, 0.0, 3.0, 0.0),
@@ -69,6 +69,33 @@ TEST(AltText, TellsWhatChangesFromMomentToMoment) {
   scene.show = {Overlay::shape};
   EXPECT_EQ(moment_in_words(make_model(scene), {}, 0.0, 1.0, 1.0), "The same at t = 1 seconds.")
       << "nothing else is drawn";
+}
+
+// 29 November 2026: of two books on ice, "Axis 1 of the body points 0 degrees away" and no word of a centre.
+TEST(AltText, MomentsTellHowFarTheCentreHasCome) {
+  Scene pushed = rolling();
+  pushed.show = {Overlay::shape};
+  pushed.w0_B = {0, 0, 0};
+  pushed.v0_S = {0, 3, 0};
+  EXPECT_EQ(moment_in_words(make_model(pushed), {}, 2.0, 3.0, 3.0),
+            "The same at t = 3 seconds. The centre of mass is 3 metres from where it was at t = 2 seconds.")
+      << "it does not turn";
+  pushed.w0_B = {0, 0, 0.5};
+  EXPECT_THAT(
+      moment_in_words(make_model(pushed), {}, 0.0, 2.0, 2.0),
+      HasSubstr("Axis 1 of the body points 57 degrees away from where it pointed at t = 0 seconds. The "
+                "centre of mass is 6 metres"));
+}
+
+TEST(AltText, MomentsTellOfAnArrowThatRestsInSpace) {
+  Scene scene = rolling();
+  scene.show = {Overlay::shape, Overlay::transport};
+  scene.w0_B = {0, 0, 1};
+  scene.arrow = ArrowHeld::in_space;
+  EXPECT_EQ(
+      moment_in_words(make_model(scene), {}, 0.0, 2.0, 2.0),
+      "The same at t = 2 seconds. Axis 1 of the body points 115 degrees away from where it pointed at t = 0 "
+      "seconds. The arrow A points 0 degrees away from where it pointed at t = 0 seconds.");
 }
 
 // 28 November 2026: of a plate, "how many wobbles?", the angles that the axes had turned by, but no round.

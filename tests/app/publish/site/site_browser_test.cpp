@@ -44,6 +44,17 @@ TEST_F(SiteInBrowser, FitsAndComplainsOfNothing) {
   EXPECT_THAT(browser_->complaints(), IsEmpty());
 }
 
+// 29 November 2026: only a mouse could scroll what is wider than a phone.
+TEST_F(SiteInBrowser, TheKeyboardScrollsWhatIsWider) {
+  value_of(
+      "(() => { const long = document.createElement('span'); long.className = 'long'; long.innerHTML = "
+      "'<span style=\"display: inline-block; width: 900px\">x</span>'; "
+      "document.querySelector('main').append(long); return true; })()");
+  found("");
+  EXPECT_EQ(value_of("document.querySelector('main > .long:last-child').tabIndex"), 0);
+  EXPECT_EQ(value_of("document.querySelector('main > .long:last-child').getAttribute('role')"), "group");
+}
+
 TEST_F(SiteInBrowser, FindsHeadingsAndEquations) {
   EXPECT_EQ(found("d over d t ANGULAR"), Json::array());
   EXPECT_EQ(found("Equation (5)"), Json::array({"edition.html#moves/law"}));

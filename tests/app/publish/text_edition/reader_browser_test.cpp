@@ -228,6 +228,19 @@ TEST_F(ReaderInBrowser, JudgesNumbers) {
   };
   for (const char* right : {"2", "2.0", " 2.00 rad/s", "2e0", "0.2·10^1", "0.2 × 10¹", "20e-1", "1.99"})
     EXPECT_EQ(typed(right), "Right.") << right;
+  // 29 November 2026: degrees were read as "deg" alone, powers of units only as they are printed.
+  const auto in_unit = [&](const std::string& unit) {
+    value_of(form("count") + ".dataset.unit = " + Json(unit).dump());
+  };
+  in_unit("deg");
+  for (const char* right : {"2°", "2 °", "2 deg", "2 degree", "2 degrees"})
+    EXPECT_EQ(typed(right), "Right.") << right;
+  in_unit("kg m²");
+  for (const char* right : {"2 kg m^2", "2 kg m²", "2 kg·m^{2}"}) EXPECT_EQ(typed(right), "Right.") << right;
+  in_unit("rad/s²");
+  EXPECT_EQ(typed("2 rad/s^2"), "Right.");
+  EXPECT_EQ(typed("2"), "Right.");
+  in_unit("rad/s");
   for (const char* wrong : {"3", "-2", "−2", "2e1", "0.2"}) EXPECT_EQ(typed(wrong), "Not right.") << wrong;
   for (const char* unread : {"", "two", "2 m", "2 rad", "2,0", "e5", "NaN"})
     EXPECT_THAT(typed(unread), HasSubstr("Type a number in rad/s")) << unread;

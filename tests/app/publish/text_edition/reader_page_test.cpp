@@ -3,6 +3,7 @@
 #include "app/narration/speech_text.h"
 #include "app/narration/verdict_row.h"
 #include "app/publish/html_text.h"
+#include "app/publish/text_edition/lesson_html.h"
 #include "lessons/reader/checks/lesson_check.h"
 #include "tests/app/publish/example_deck.h"
 #include "tests/app/publish/text_edition/example_edition.h"
@@ -15,6 +16,7 @@
 
 #include <regex>
 #include <set>
+#include <utility>
 
 namespace polhode {
 namespace {
@@ -430,6 +432,44 @@ TEST(Reader, TheTexToCopyHasItsNumbers) {
     EXPECT_THAT(one, Not(HasSubstr("\\live")));
     EXPECT_THAT(one, Not(HasSubstr("\\term")));
   }
+}
+
+// 29 November 2026: of the numbers of tables the rest of a longer text was left, "{0}ift_T}".
+TEST(Reader, TheTexToCopyIsTexInEveryLesson) {
+  const Fonts fonts = Fonts::open().value();
+  std::size_t formulas = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(test::source_dir() / "lessons")) {
+    if (entry.path().extension() != ".md" || entry.path().stem() == "FORMAT" ||
+        entry.path().stem() == "README")
+      continue;
+    const auto reading = read_lesson(text_of(entry.path()), entry.path().string());
+    ASSERT_TRUE(reading.lesson) << entry.path();
+    const Lesson& lesson = *reading.lesson;
+    const SpeechText speech(lesson);
+    const TextNumbers numbers{PageNumbers(lesson, fonts)};
+    const LessonHtml html(lesson, speech, numbers, {});
+    const auto check = [&](const TextSpan& span) {
+      if (span.kind != TextSpan::Kind::math) return;
+      const std::string page = html.formula(span.math, span.text);
+      std::smatch found;
+      static const std::regex kTex("data-tex=\"([^\"]*)\"|<annotation[^>]*>([^<]*)</annotation>");
+      if (!std::regex_search(page, found, kTex)) return;
+      std::string tex = found[1].matched ? found[1] : found[2];
+      for (const auto& [sign, plain] :
+           {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}})
+        tex = std::regex_replace(tex, std::regex(sign), plain);
+      EXPECT_TRUE(parse_math(tex, lesson.macros).ok()) << entry.path().stem() << ": " << tex;
+      ++formulas;
+    };
+    for (const Stage& stage : lesson.stages)
+      for (const Step& step : stage.steps)
+        for (const Block& block : step.blocks) {
+          if (const auto* prose = std::get_if<Prose>(&block)) for_each_span(prose->text, check);
+          if (const auto* callout = std::get_if<Callout>(&block)) for_each_span(callout->text, check);
+          if (const auto* note = std::get_if<Footnote>(&block)) for_each_span(note->text, check);
+        }
+  }
+  EXPECT_GT(formulas, 1000u);
 }
 
 TEST(Reader, AVerdictStandsInWords) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What is said of formulas: whoever hears it writes the same formula down.
+#include "base/words/formula_words.h"
+#include "render/typeset/math/commands.h"
 #include "render/typeset/math/math.h"
 #include "tests/render/typeset/math/formulas.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace polhode {
 namespace {
@@ -109,6 +113,38 @@ TEST(SpokenMath, AMagnitudeOfMoreThanOneSaysWhereItEnds) {
   EXPECT_EQ(said("|a|\\,b"), "magnitude of a end of magnitude b");
   EXPECT_EQ(said("|a|\\,|b|"), "magnitude of a end of magnitude magnitude of b");
   EXPECT_EQ(said_in_german("|a + b|"), "Betrag von a plus b Ende des Betrags");
+}
+
+// 29 November 2026: "lesssim", "nRightarrow" and "varphi" were said.
+TEST(SpokenMath, NoCommandIsSaidByItsName) {
+  for (const std::string_view name : math_command_names()) {
+    const MathCommand& command = *math_command(name);
+    const bool makes_sign = command.action == MathCommand::Action::symbol ||
+                            command.action == MathCommand::Action::large_operator;
+    const char32_t c = command.character;
+    const bool is_named_letter =
+        ((U'Α' <= c && c <= U'Ω') || (U'α' <= c && c <= U'ω')) && !name.starts_with("var");
+    if (!makes_sign || is_named_letter || c == U'|' || c == U'.') continue;  // bars and points have rules
+    EXPECT_TRUE(std::any_of(words::kSigns.begin(), words::kSigns.end(),
+                            [c](const words::SignWords& row) { return row.sign == c; }))
+        << name << " is said as it is written";
+  }
+  EXPECT_EQ(said("a \\lesssim b"), "a at most about b");
+  EXPECT_EQ(said("a \\nRightarrow b"), "a does not imply b");
+  EXPECT_EQ(said("\\varphi + \\varepsilon"), "phi plus epsilon");
+  EXPECT_EQ(said_in_german("a \\lesssim \\varphi"), "a höchstens etwa Phi");
+  EXPECT_EQ(said("a \\not\\prec b"), "a not precedes b");
+  EXPECT_EQ(said("a \\xRightarrow{c} d"), "a implies by c d");
+}
+
+// 29 November 2026: "omega sub is perpendicular to", "the arrow of parallel to".
+TEST(SpokenMath, APartOfAVectorIsSaidAsOne) {
+  EXPECT_EQ(said("\\omega_\\perp"), "omega perpendicular");
+  EXPECT_EQ(said("\\vec N_{\\parallel}"), "vector N parallel");
+  EXPECT_EQ(said("\\omega_\\perp^2"), "omega perpendicular squared");
+  EXPECT_EQ(said_in_german("\\omega_\\perp + \\omega_\\parallel"), "Omega senkrecht plus Omega parallel");
+  EXPECT_EQ(said("\\parallel"), "parallel");
+  EXPECT_EQ(said("a \\perp b"), "a is perpendicular to b");
 }
 
 TEST(SpokenMath, NumbersAreMultipliedByTimes) {
