@@ -49,9 +49,9 @@
     });
     const found = /^([-+]?(?:\d+\.?\d*|\.\d+))\s*(?:e([-+]?\d+)|[·×x*]\s*10\s*\^\s*\{?([-+]?\d+)\}?)?\s*(.*)$/i.exec(typed);
     if (!found) return null;
-    // "15.3°" and "15.3 degrees" for 15.3 deg, "2 kg m^2" for 2 kg m².
+    // "15.3°", "15.3 degrees" and "15,3 Grad" for 15.3 deg, "2 kg m^2" for 2 kg m².
     const bare = (words) => words.replace(/[\s\u00a0·*^{}]/g, "").replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹]/g, (c) => raised.indexOf(c))
-      .replace(/⁻/g, "-").replace(/°|degrees?/, "deg");
+      .replace(/⁻/g, "-").replace(/°|degrees?|Grad/, "deg");
     if (found[4] !== "" && bare(found[4]) !== bare(unit)) return null;
     return Number(found[1] + "e" + (found[2] || found[3] || "0"));
   };

@@ -361,9 +361,9 @@ inline constexpr Phrase kWhatReducedIs{"Reduced: nothing fades, travels or plays
                                        "Vermindert: Nichts blendet, wandert oder spielt von selbst."};
 inline constexpr Phrase kLettersAreCommands{"letters are commands", "Buchstaben sind Befehle"};
 inline constexpr Phrase kWithoutLetters{
-    "Without it letters and signs do nothing; buttons, the mouse and its right button's menus do it. Before "
-    "an "
-    "audience . still makes the screen black, as clickers send it, and a number with Enter leads to a stage.",
+    "Without it letters and signs do nothing; buttons, the mouse and its right button's menus do it. "
+    "Before an audience . still makes the screen black, as clickers send it, and a number with Enter leads "
+    "to a stage.",
     "Sonst tun Buchstaben und Zeichen nichts; dafür gibt es Knöpfe, die Maus und die Menüs ihrer rechten "
     "Taste. Vor Publikum macht . trotzdem den Bildschirm schwarz, wie Presenter es senden, und eine Zahl mit "
     "Enter führt zu einem Abschnitt."};
