@@ -362,11 +362,11 @@ inline constexpr Phrase kWhatReducedIs{"Reduced: nothing fades, travels or plays
 inline constexpr Phrase kLettersAreCommands{"letters are commands", "Buchstaben sind Befehle"};
 inline constexpr Phrase kWithoutLetters{
     "Without it letters and signs do nothing; buttons, the mouse and its right button's menus do it. "
-    "Before an audience . still makes the screen black, as clickers send it, and a number with Enter leads "
-    "to a stage.",
+    "Before an audience the period, which clickers send, still makes the screen black, and a number with "
+    "Enter leads to a stage.",
     "Sonst tun Buchstaben und Zeichen nichts; dafür gibt es Knöpfe, die Maus und die Menüs ihrer rechten "
-    "Taste. Vor Publikum macht . trotzdem den Bildschirm schwarz, wie Presenter es senden, und eine Zahl mit "
-    "Enter führt zu einem Abschnitt."};
+    "Taste. Vor Publikum macht der Punkt, den Presenter senden, trotzdem den Bildschirm schwarz, und eine "
+    "Zahl mit Enter führt zu einem Abschnitt."};
 inline constexpr Phrase kForAnAudience{"For an audience", "Für ein Publikum"};
 inline constexpr Phrase kPresent{"Present", "Vortragen"};
 inline constexpr Phrase kPresentWithWindow{"Present, with a window of your own",
