@@ -26,7 +26,7 @@ RichText line_of_tex(const std::string& tex) { return formula_text("\\displaysty
 
 /// As it is set, or as it was typed where it cannot be read.
 RichText numbered(std::size_t number, const DerivationWork::TypedLine& line) {
-  const std::string opening = fmt::format("{}   ", number);
+  const std::string opening = fmt::format("{}.  ", number);
   const std::string& tex = line.judgement.tex;
   const bool is_read = line.judgement.mark != Mark::unreadable && !tex.empty();
   return is_read ? opened_by(opening, line_of_tex(tex)) : words_text(opening + line.text);
@@ -115,7 +115,7 @@ void show_next_step(PanelContext& context, const Ask& ask) {
     quiet_words(context.said(words::kLessonsWay));
     for (std::size_t i = 0; i < work.derivation().worked.size(); ++i)
       context.texts.show(
-          opened_by(fmt::format("{}   ", i + 1), line_of_tex(work.derivation().worked[i].line.tex)),
+          opened_by(fmt::format("{}.  ", i + 1), line_of_tex(work.derivation().worked[i].line.tex)),
           TextInk::quiet);
   }
   const AnswerRecord* record = context.session.record(ask);
