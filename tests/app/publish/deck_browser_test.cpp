@@ -307,7 +307,7 @@ TEST_F(DeckBrowser, ALectureIsShownByKeysAlone) {
   press_all({"n", "ArrowRight"});
   expect_current("27-poinsot-step2");
   EXPECT_THAT(value("document.querySelector('.current .notes').innerText").get<std::string>(),
-              HasSubstr("vector omega sub parallel equals"));
+              HasSubstr("vector omega parallel equals"));
   EXPECT_TRUE(visible(".current .notes"));
   EXPECT_THAT(value("document.querySelector('.current img').alt").get<std::string>(), HasSubstr("Figure: "));
   EXPECT_EQ(value("document.querySelector('.current img').naturalWidth"), 640);

@@ -47,9 +47,10 @@ TEST_F(SiteInBrowser, FitsAndComplainsOfNothing) {
 // 29 November 2026: only a mouse could scroll what is wider than a phone.
 TEST_F(SiteInBrowser, TheKeyboardScrollsWhatIsWider) {
   value_of(
-      "(() => { const long = document.createElement('span'); long.className = 'long'; long.innerHTML = "
-      "'<span style=\"display: inline-block; width: 900px\">x</span>'; "
-      "document.querySelector('main').append(long); return true; })()");
+      "(() => { const long = document.createElement('span'), inside = document.createElement('span'); "
+      "long.className = 'long'; inside.textContent = 'x'; inside.style.display = 'inline-block'; "
+      "inside.style.width = '900px'; long.append(inside); document.querySelector('main').append(long); "
+      "return true; })()");
   found("");
   EXPECT_EQ(value_of("document.querySelector('main > .long:last-child').tabIndex"), 0);
   EXPECT_EQ(value_of("document.querySelector('main > .long:last-child').getAttribute('role')"), "group");
