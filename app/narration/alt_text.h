@@ -35,9 +35,9 @@ std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& s
 /// Of the pictures of one motion at several moments, from one instant to another, the first of which has the
 /// alternative text above: what has changed since then, in as few numbers as tell it. Seen from space, how
 /// often two axes of a symmetric top have gone round L where that is drawn and constant, or how far an axis
-/// that a body has turned points away from where it pointed, and the arrow A, and how far its centre has come;
-/// seen from the body, how often ω, or else L,
-/// has gone round an axis, or its components, of the first moment too.
+/// that a body has turned points away from where it pointed, and the arrow A, and how far its centre has
+/// come; seen from the body, how often ω, or else L, has gone round an axis, or its components, of the first
+/// moment too.
 std::string moment_in_words(const SceneModel& model, const std::vector<SceneInWords>& said, double from_s,
                             double to_s, double t_s);
 

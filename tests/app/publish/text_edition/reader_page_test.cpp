@@ -373,7 +373,7 @@ TEST(Reader, MomentsSayWhatHasChanged) {
   EXPECT_THAT(alts[0], testing::EndsWith("kilogram square metres."));
   EXPECT_EQ(
       alts[1],
-      "The same at t = 0.5 seconds. Axis 3 of the body points 0 degrees away from where it pointed at t = "
+      "The same at t = 0.5 seconds. Axis 1 of the body points 57 degrees away from where it pointed at t = "
       "0 seconds.");
 }
 
