@@ -75,7 +75,7 @@ void ask_for_line(PanelContext& context, const Ask& ask, DerivationWork& work, s
   const std::string next_words = context.said(words::kEnterLine);
   if (text_field(context, "##line", context.said(words::kNextLine).c_str(), next_words.c_str(), typed)) {
     next();
-    // Behind the last line the focus stays with the panel: who types one more gives no commands by it.
+    // Behind the last line the focus stays with the panel: the letters of one more are no commands.
     if (!work.is_done()) keep_typing(true);
   }
   work.type(typed);
