@@ -57,21 +57,26 @@ bool draws(const Scene& scene, Overlay vector) {
          (draws_marks(scene) && std::any_of(arrows.begin(), arrows.end(), is_it));
 }
 
-std::string time_words(double t_s, Language language) { return short_number_words(t_s, 4, language); }
+std::string time_words(double t_s, Language language) {
+  return with_unit(short_number_words(t_s, 4, language), "s", language);
+}
 
 std::string moment_words(const Scene& scene, const Vec3& w_B, double t_s) {
   const Language language = scene.language;
   std::string text = words::kBodyTurnsAt.with(
-      language, {time_words(t_s, language), short_number_words(w_B.stableNorm(), 3, language)});
+      language, {time_words(t_s, language),
+                 with_unit(short_number_words(w_B.stableNorm(), 3, language), "rad/s", language)});
   if (!w_B.isZero(0.0) && draws(scene, Overlay::omega) && draws(scene, Overlay::L)) {
     const Vec3 L_B = angular_momentum_B(scene.body.moments, w_B);
     const double angle_deg = angle_between(w_B, L_B) * kDegreesPerRadian;
     if (!std::isfinite(angle_deg)) return text + '.';
     constexpr double kParallel_deg = 1e-6;  // what rounding leaves
     const int digits = angle_deg < 100.0 ? 2 : 3;
-    text += angle_deg < kParallel_deg
-                ? std::string(words::kOmegaAlongL.in(language))
-                : words::kOmegaAwayFromL.with(language, {short_number_words(angle_deg, digits, language)});
+    text +=
+        angle_deg < kParallel_deg
+            ? std::string(words::kOmegaAlongL.in(language))
+            : words::kOmegaAwayFromL.with(
+                  language, {with_unit(short_number_words(angle_deg, digits, language), "deg", language)});
   }
   return text + '.';
 }
@@ -200,6 +205,10 @@ class ChangeInWords {
     return angle_between(vector_S(from_s_), vector_S(t_s)) * kDegreesPerRadian;
   }
 
+  std::string whole_degrees(double angle_deg) const {
+    return with_unit(fmt::format("{:.0f}", angle_deg), "deg", language_);
+  }
+
   auto axis_S(int axis) const {
     return [this, axis](double t_s) { return model_.motion->at(t_s).q_SB * Vec3(Vec3::Unit(axis)); };
   }
@@ -223,23 +232,23 @@ class ChangeInWords {
   std::string turned_axis() const {
     const std::optional<int> axis = axis_that_turns();
     if (!axis) return "";
-    return words::kAxisPoints.with(
-        language_, {std::to_string(*axis + 1), fmt::format("{:.0f}", away_deg(axis_S(*axis), t_s_)),
-                    time_words(from_s_, language_)});
+    return words::kAxisPoints.with(language_,
+                                   {std::to_string(*axis + 1), whole_degrees(away_deg(axis_S(*axis), t_s_)),
+                                    time_words(from_s_, language_)});
   }
 
   std::string arrow_A() const {
     if (!drawn_overlays(scene_).contains(Overlay::transport)) return "";
     const double angle_deg = away_deg([this](double t_s) { return arrow_A_S(model_, t_s); }, t_s_);
-    return words::kArrowAPoints.with(language_,
-                                     {fmt::format("{:.0f}", angle_deg), time_words(from_s_, language_)});
+    return words::kArrowAPoints.with(language_, {whole_degrees(angle_deg), time_words(from_s_, language_)});
   }
 
   std::string centre() const {
     if (!drifts(scene_)) return "";
     const Vec3 way_S = translation_at(scene_, t_s_).r_S - translation_at(scene_, from_s_).r_S;
     return words::kCentreIsAway.with(
-        language_, {short_number_words(way_S.norm(), 3, language_), time_words(from_s_, language_)});
+        language_, {with_unit(short_number_words(way_S.norm(), 3, language_), "m", language_),
+                    time_words(from_s_, language_)});
   }
 
   /// Where it goes at least a part of a round over all that is shown, about one axis.

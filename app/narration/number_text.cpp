@@ -44,6 +44,12 @@ std::string words_of(const Written& number, Language language) {
   return words::kTimesTenToThePower.with(language, {text, power});
 }
 
+const words::UnitWords* known_unit(const std::string& unit) {
+  const auto* known = std::find_if(words::kUnits.begin(), words::kUnits.end(),
+                                   [&](const words::UnitWords& words) { return words.unit == unit; });
+  return known == words::kUnits.end() ? nullptr : known;
+}
+
 }  // namespace
 
 std::string number_tex(double value, int digits) {
@@ -69,9 +75,14 @@ std::string short_number_words(double value, int digits, Language language) {
 }
 
 std::string unit_in_words(const std::string& unit, Language language) {
-  for (const words::UnitWords& known : words::kUnits)
-    if (known.unit == unit) return std::string(known.words.in(language));
-  return unit;
+  const words::UnitWords* known = known_unit(unit);
+  return known ? std::string(known->words.in(language)) : unit;
+}
+
+std::string with_unit(const std::string& number, const std::string& unit, Language language) {
+  if (unit.empty()) return number;
+  const words::UnitWords* known = number == "1" ? known_unit(unit) : nullptr;
+  return number + ' ' + (known ? std::string(known->one.in(language)) : unit_in_words(unit, language));
 }
 
 }  // namespace polhode

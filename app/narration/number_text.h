@@ -18,5 +18,7 @@ std::string number_words(double value, int digits = 0, Language language = Langu
 std::string short_number_words(double value, int digits, Language language);
 /// "radians per second"; a unit that has no words as it is written.
 std::string unit_in_words(const std::string& unit, Language language);
+/// A number that is in words already, with its unit: "0.5 seconds", "1 second"; without one the number alone.
+std::string with_unit(const std::string& number, const std::string& unit, Language language);
 
 }  // namespace polhode

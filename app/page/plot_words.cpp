@@ -36,11 +36,6 @@ Range range_of(const std::vector<double>& values) {
   return range;
 }
 
-/// " radians per second"; empty of numbers.
-std::string with_unit(const std::string& unit, Language language) {
-  return unit.empty() ? "" : ' ' + unit_in_words(unit, language);
-}
-
 /// A curve on its axis: of a logarithmic one the heights are powers of ten.
 class Course {
  public:
@@ -60,10 +55,10 @@ class Course {
   std::string words() const {
     if (y_.empty())
       return std::string((is_outside_ ? words::kOutsideThePlot : words::kNotDefined).in(language_));
-    if (is_zero_) return words::kStaysAt.with(language_, {"0" + unit()});
+    if (is_zero_) return words::kStaysAt.with(language_, {with_unit("0")});
     constexpr double kLeastChange = 1e-3;
     if (range_.height() <= kLeastChange * height_of_plot())
-      return words::kStaysAt.with(language_, {number(0.5 * (range_.low + range_.high)) + unit()});
+      return words::kStaysAt.with(language_, {with_unit(number(0.5 * (range_.low + range_.high)))});
     const std::vector<double> turns = turning_points();
     constexpr std::size_t kMostTold = 4;
     return (turns.size() > kMostTold ? oscillation(turns) : in_turn(turns)) +
@@ -81,7 +76,9 @@ class Course {
       return words::kAtMost.with(language_, {short_number_words(*plot_.log_floor, kDigits, language_)});
     return short_number_words(!plot_.log_floor && std::abs(value) < last ? 0.0 : value, kDigits, language_);
   }
-  std::string unit() const { return with_unit(plot_.unit, language_); }
+  std::string with_unit(const std::string& number) const {
+    return polhode::with_unit(number, plot_.unit, language_);
+  }
 
   /// Of what is drawn: an axis that need not show 0 is as high as its curves.
   double height_of_plot() const {
@@ -123,11 +120,9 @@ class Course {
     std::string text;
     for (std::size_t i = 1; i < turns.size(); ++i) {
       const bool rises = turns[i] > turns[i - 1];
-      text += i == 1 ? (rises ? words::kRises : words::kFalls)
-                           .with(language_,
-                                 {number(turns[0]), number(turns[1]) + (turns.size() == 2 ? unit() : "")})
-                     : (rises ? words::kThenRises : words::kThenFalls)
-                           .with(language_, {number(turns[i]) + (i + 1 == turns.size() ? unit() : "")});
+      const std::string to = i + 1 == turns.size() ? with_unit(number(turns[i])) : number(turns[i]);
+      text += i == 1 ? (rises ? words::kRises : words::kFalls).with(language_, {number(turns[0]), to})
+                     : (rises ? words::kThenRises : words::kThenFalls).with(language_, {to});
     }
     return text;
   }
@@ -144,7 +139,7 @@ class Course {
     const double most = kAlike * range_.height();
     const bool is_even = tops.height() <= most && bottoms.height() <= most;
     return (is_even ? words::kOscillates : words::kGoesUpAndDown)
-        .with(language_, {number(range_.low), number(range_.high) + unit(),
+        .with(language_, {number(range_.low), with_unit(number(range_.high)),
                           count == 1 ? std::string(words::kAMaximum.in(language_))
                                      : words::kMaxima.with(language_, {std::to_string(count)})});
   }
@@ -171,7 +166,7 @@ std::string path_in_words(const TimePlot& plot, const TimeSeries& curve) {
   const bool closes = std::abs(curve.y.back() - curve.y.front()) <= kNear * y.height() &&
                       std::abs(plot.t.back() - plot.t.front()) <= kNear * x.height();
   return words::kPathBetween.with(plot.language,
-                                  {number(y.low), number(y.high) + with_unit(plot.unit, plot.language)}) +
+                                  {number(y.low), with_unit(number(y.high), plot.unit, plot.language)}) +
          std::string(closes ? words::kPathCloses.in(plot.language) : "");
 }
 
@@ -182,7 +177,7 @@ std::string plot_in_words(const TimePlot& plot, const SpeechText& names) {
   const std::string of =
       plot.x_label.empty() ? std::string(words::kTime.in(language)) : names.words_of_line(plot.x_label);
   std::string text = plot.title.empty() ? "" : names.words_of_line(plot.title) + ", ";
-  const std::string low = number(x.low), high = number(x.high) + with_unit(plot.x_unit, language);
+  const std::string low = number(x.low), high = with_unit(number(x.high), plot.x_unit, language);
   const bool says_of = !plot.x_label.empty() && plot.title.ends_with(plot.x_label);  // "T against omega 1"
   if (!x.empty())
     text += says_of ? words::kFromTo.with(language, {low, high})

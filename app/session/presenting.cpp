@@ -31,6 +31,7 @@ void LessonSession::set_speaker(bool wanted) {
 void LessonSession::set_frozen(bool frozen) {
   if (frozen_ && !frozen) forget_trials();
   frozen_ = has_speaker_ && frozen;
+  if (frozen_) transition_ = 1;  // the audience goes on seeing this step, and all of it
 }
 
 void LessonSession::forget_trials() {

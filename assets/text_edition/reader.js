@@ -11,6 +11,7 @@
     const first = document.createElement("p");
     first.textContent = words;
     output.replaceChildren(first, ...parts.map((part) => part.cloneNode(true)));
+    first.scrollIntoView({ block: "nearest" });
   };
   const inside = (form, selector) =>
     [...form.querySelectorAll(".answer " + selector)].flatMap((part) =>
@@ -86,8 +87,9 @@
       button.type = "button";
       button.className = "tex";
       button.textContent = "TeX";
-      // Heard one after the other, buttons differ: an equation without a number is named by its words.
-      const name = tag ? tag.textContent : math.getAttribute("alttext");
+      // Heard one after the other, buttons differ: an equation without a number is named by its first words.
+      const said = math.getAttribute("alttext").split(" "), enough = 6;
+      const name = tag ? tag.textContent : said.slice(0, enough).join(" ") + (said.length > enough ? " …" : "");
       button.setAttribute("aria-label", words.copyTexOf.replace("{0}", name));
       button.addEventListener("click", async () => {
         await navigator.clipboard.writeText(tex);

@@ -18,33 +18,28 @@ inline constexpr Phrase kDiagrams{"Diagrams", "Diagramme"};
 inline constexpr Phrase kADiagram{"A diagram", "Ein Diagramm"};
 inline constexpr Phrase kNothing{"nothing", "nichts"};
 inline constexpr Phrase kAnd{" and ", " und "};
-inline constexpr Phrase kBodyTurnsAt{
-    "At t = {0} seconds the body turns at {1} radians per second",
-    "Zur Zeit t = {0} Sekunden dreht sich der Körper mit {1} Radiant pro Sekunde"};
+inline constexpr Phrase kBodyTurnsAt{"At t = {0} the body turns at {1}",
+                                     "Zur Zeit t = {0} dreht sich der Körper mit {1}"};
 inline constexpr Phrase kOmegaAlongL{", with ω along L", ", mit ω in Richtung von L"};
-inline constexpr Phrase kOmegaAwayFromL{", with ω {0} degrees away from L",
-                                        ", ω weicht um {0} Grad von L ab"};
+inline constexpr Phrase kOmegaAwayFromL{", with ω {0} away from L", ", ω weicht um {0} von L ab"};
 // Of the pictures of one motion at several moments.
-inline constexpr Phrase kTheSameAt{"The same at t = {0} seconds.", "Dasselbe bei t = {0} Sekunden."};
+inline constexpr Phrase kTheSameAt{"The same at t = {0}.", "Dasselbe bei t = {0}."};
 inline constexpr Phrase kScene{"Scene {0}: ", "Szene {0}: "};
-inline constexpr Phrase kAxisPoints{
-    "Axis {0} of the body points {1} degrees away from where it pointed at t = {2} seconds.",
-    "Achse {0} des Körpers weicht um {1} Grad von ihrer Richtung bei t = {2} Sekunden ab."};
-inline constexpr Phrase kArrowAPoints{
-    "The arrow A points {0} degrees away from where it pointed at t = {1} seconds.",
-    "Der Pfeil A weicht um {0} Grad von seiner Richtung bei t = {1} Sekunden ab."};
-inline constexpr Phrase kCentreIsAway{
-    "The centre of mass is {0} metres from where it was at t = {1} seconds.",
-    "Der Massenmittelpunkt ist {0} Meter von seinem Ort bei t = {1} Sekunden entfernt."};
-inline constexpr Phrase kWentRoundL{"Since t = {0} seconds {1} has gone round L {2}.",
-                                    "Seit t = {0} Sekunden ist {1} {2} um L gelaufen."};
-inline constexpr Phrase kBothWentRoundL{"Since t = {0} seconds {1} has gone round L {2}, and {3} has {4}.",
-                                        "Seit t = {0} Sekunden ist {1} {2} um L gelaufen, und {3} {4}."};
+inline constexpr Phrase kAxisPoints{"Axis {0} of the body points {1} away from where it pointed at t = {2}.",
+                                    "Achse {0} des Körpers weicht um {1} von ihrer Richtung bei t = {2} ab."};
+inline constexpr Phrase kArrowAPoints{"The arrow A points {0} away from where it pointed at t = {1}.",
+                                      "Der Pfeil A weicht um {0} von seiner Richtung bei t = {1} ab."};
+inline constexpr Phrase kCentreIsAway{"The centre of mass is {0} from where it was at t = {1}.",
+                                      "Der Massenmittelpunkt ist {0} von seinem Ort bei t = {1} entfernt."};
+inline constexpr Phrase kWentRoundL{"Since t = {0} {1} has gone round L {2}.",
+                                    "Seit t = {0} ist {1} {2} um L gelaufen."};
+inline constexpr Phrase kBothWentRoundL{"Since t = {0} {1} has gone round L {2}, and {3} has {4}.",
+                                        "Seit t = {0} ist {1} {2} um L gelaufen, und {3} {4}."};
 inline constexpr Phrase kOnce{"once", "einmal"};
 inline constexpr Phrase kSoManyTimes{"{0} times", "{0} Mal"};
 inline constexpr Phrase kWentRoundAxis{
-    "Since t = {0} seconds {1} has gone {2} round axis {3}, {4} seen from its tip.",
-    "Seit t = {0} Sekunden ist {1} {2} um Achse {3} gelaufen, {4}, von ihrer Spitze aus gesehen."};
+    "Since t = {0} {1} has gone {2} round axis {3}, {4} seen from its tip.",
+    "Seit t = {0} ist {1} {2} um Achse {3} gelaufen, {4}, von ihrer Spitze aus gesehen."};
 inline constexpr Phrase kAnticlockwise{"anticlockwise", "gegen den Uhrzeigersinn"};
 inline constexpr Phrase kClockwise{"clockwise", "im Uhrzeigersinn"};
 inline constexpr Phrase kOmegaInBody{
@@ -58,7 +53,7 @@ inline constexpr Phrase kTheBodyIs{
     "The {0} has the principal moments {1}, {2} and {3} kilogram square metres. ",
     "Der {0} hat die Hauptträgheitsmomente {1}; {2} und {3} Kilogrammquadratmeter. "};
 inline constexpr Phrase kBody{"body", "Körper"};
-inline constexpr Phrase kSceneOf{"Scene {0} of {1}, side by side. ", "Szene {0} von {1}, nebeneinander. "};
+inline constexpr Phrase kSceneOf{"Scene {0} of {1}. ", "Szene {0} von {1}. "};
 
 // Marks.
 inline constexpr Phrase kBodyAtEarlierInstant{"the body as it was at 1 earlier instant",
@@ -120,28 +115,36 @@ inline constexpr Phrase kPathBetween{"a path between {0} and {1}", "eine Bahn zw
 inline constexpr Phrase kPathCloses{", which comes back to where it began",
                                     ", die zu ihrem Anfang zurückkehrt"};
 
-/// What is said of a unit; others are said as they are written.
+/// What is said of a unit, of one and of any other number of them; others are said as they are written.
 struct UnitWords {
   std::string_view unit;
-  Phrase words;
+  Phrase one, words;
 };
 inline constexpr auto kUnits = std::to_array<UnitWords>({
-    {"s", {"seconds", "Sekunden"}},
-    {"ms", {"milliseconds", "Millisekunden"}},
-    {"rad/s", {"radians per second", "Radiant pro Sekunde"}},
-    {"mrad/s", {"milliradians per second", "Milliradiant pro Sekunde"}},
-    {"rad", {"radians", "Radiant"}},
-    {"deg", {"degrees", "Grad"}},
-    {"°", {"degrees", "Grad"}},
-    {"m", {"metres", "Meter"}},
-    {"m/s", {"metres per second", "Meter pro Sekunde"}},
-    {"J", {"joules", "Joule"}},
-    {"mJ", {"millijoules", "Millijoule"}},
-    {"W", {"watts", "Watt"}},
-    {"N m", {"newton metres", "Newtonmeter"}},
-    {"kg m²", {"kilogram square metres", "Kilogrammquadratmeter"}},
-    {"kg m²/s", {"kilogram square metres per second", "Kilogrammquadratmeter pro Sekunde"}},
-    {"rad/s²", {"radians per second squared", "Radiant pro Quadratsekunde"}},
+    {"s", {"second", "Sekunde"}, {"seconds", "Sekunden"}},
+    {"ms", {"millisecond", "Millisekunde"}, {"milliseconds", "Millisekunden"}},
+    {"rad/s", {"radian per second", "Radiant pro Sekunde"}, {"radians per second", "Radiant pro Sekunde"}},
+    {"mrad/s",
+     {"milliradian per second", "Milliradiant pro Sekunde"},
+     {"milliradians per second", "Milliradiant pro Sekunde"}},
+    {"rad", {"radian", "Radiant"}, {"radians", "Radiant"}},
+    {"deg", {"degree", "Grad"}, {"degrees", "Grad"}},
+    {"°", {"degree", "Grad"}, {"degrees", "Grad"}},
+    {"m", {"metre", "Meter"}, {"metres", "Meter"}},
+    {"m/s", {"metre per second", "Meter pro Sekunde"}, {"metres per second", "Meter pro Sekunde"}},
+    {"J", {"joule", "Joule"}, {"joules", "Joule"}},
+    {"mJ", {"millijoule", "Millijoule"}, {"millijoules", "Millijoule"}},
+    {"W", {"watt", "Watt"}, {"watts", "Watt"}},
+    {"N m", {"newton metre", "Newtonmeter"}, {"newton metres", "Newtonmeter"}},
+    {"kg m²",
+     {"kilogram square metre", "Kilogrammquadratmeter"},
+     {"kilogram square metres", "Kilogrammquadratmeter"}},
+    {"kg m²/s",
+     {"kilogram square metre per second", "Kilogrammquadratmeter pro Sekunde"},
+     {"kilogram square metres per second", "Kilogrammquadratmeter pro Sekunde"}},
+    {"rad/s²",
+     {"radian per second squared", "Radiant pro Quadratsekunde"},
+     {"radians per second squared", "Radiant pro Quadratsekunde"}},
 });
 
 // Transcripts.

@@ -125,7 +125,8 @@ void StageBuilder::read_tables() {
 
 void StageBuilder::check_shown() {
   for (std::size_t i = 0; i < shown_.size(); ++i) {
-    const Scene& scene = i == 0 ? *step().scene : step().scene->beside[i - 1];
+    Scene scene = i == 0 ? *step().scene : step().scene->beside[i - 1];
+    scene.language = Language::en;  // as all diagnostics are
     for (const PlacedText& name : shown_[i].shown)
       if (const std::string unseen = what_is_unseen(*overlay_from(name.text), scene); !unseen.empty())
         report_.warning(name.place, "in the scene of line " + std::to_string(scene_line_) + ' ' +

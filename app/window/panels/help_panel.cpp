@@ -2,6 +2,7 @@
 #include "app/session/command.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
+#include "base/words/window_words.h"
 
 #include <imgui.h>
 
@@ -33,6 +34,7 @@ void scroll_by_keys() {
 
 void draw_help(PanelContext& context) {
   if (context.has_keys) scroll_by_keys();
+  if (!context.session.preferences.letter_keys) quiet_words(context.said(words::kLettersAreNoCommands));
   std::string_view group;
   for (const CommandFacts& facts : all_commands()) {
     // Before an audience its key is that of the black screen.

@@ -499,11 +499,11 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   return success();
 }
 
-/// As it is when it is frozen, before anything else is shown; a step that is just coming in comes in first.
+/// As it is when it is frozen, before anything else is shown.
 Status Screen::keep_for_audience(const LessonSession& session) {
   is_black_ = session.is_black();
   if (!session.is_frozen()) frozen_.reset();
-  if (!session.is_frozen() || frozen_ || session.transition() < 1) return success();
+  if (!session.is_frozen() || frozen_) return success();
   auto made = Framebuffer::create(*gl_, picture_->size(), 0);
   if (!made) return failure(made.error());
   frozen_ = std::move(made).value();
@@ -530,7 +530,10 @@ void Screen::go_back_to_frozen(LessonSession& session) {
 void Screen::forget_what_is_over(const LessonSession& session) {
   if (!session.is_presenting()) take_number(session);
   const std::string& told = notices_.told();
-  if (!notices_.seconds_left(clock_s_)) return;
+  if (!notices_.seconds_left(clock_s_)) {
+    digits_.clear();  // who no longer reads what Enter does has not typed it
+    return;
+  }
   const auto is = [&](const Phrase& phrase) { return told == said(session, phrase); };
   const bool is_held =
       held_back_ == session.place() && !session.is_presenting() && has_open_prediction(session);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model/scene_needs.h"
 
+#include "base/words/figure_words.h"
 #include "render/scene/model/drawn_marks.h"
 #include "render/scene/model/heavy_top_body.h"
 #include "render/scene/model/translation.h"
@@ -57,27 +58,26 @@ bool frame_needs_motion(const Scene& scene) {
          drawn.contains(Overlay::terms);
 }
 
+/// In the language of the scene.
 std::string what_is_unseen(Overlay overlay, const Scene& scene) {
   struct Reason {
     SeenIf lacking;
-    std::string_view words;
+    Phrase words;
   };
   constexpr std::array kReasons = {
-      Reason{SeenIf::free, "it belongs to motion without torque, and a torque acts"},
-      Reason{SeenIf::torque, "no torque acts"},
-      Reason{SeenIf::moves, "the body is at rest"},
-      Reason{SeenIf::space_view, "it is seen from space only"},
-      Reason{SeenIf::L_down, "only where L points down is it level: attitude = \"L-down\""},
-      Reason{SeenIf::translates, "the centre of mass is at rest: there is no velocity or force"},
-      Reason{SeenIf::force, "there is no force"},
-      Reason{SeenIf::pivot, "the torque is not that of one heavy top"}};
+      Reason{SeenIf::free, words::kATorqueActs},      Reason{SeenIf::torque, words::kNoTorqueActs},
+      Reason{SeenIf::moves, words::kBodyIsAtRest},    Reason{SeenIf::space_view, words::kSeenFromSpaceOnly},
+      Reason{SeenIf::L_down, words::kLevelWithLDown}, Reason{SeenIf::translates, words::kCentreIsAtRest},
+      Reason{SeenIf::force, words::kNoForceActs},     Reason{SeenIf::pivot, words::kNoHeavyTop}};
   const OverlayFacts& facts = facts_of(overlay);
+  const Language language = scene.language;
   const SeenIf holds = what_holds(scene);
   if (scene.show.contains(Overlay::turn_orders) && !facts.stays_in_turns)
-    return "shows nothing beside turn-orders: that body is turned by hand, and has no motion";
+    return std::string(words::kIsTurnedByHand.in(language));
   for (const Reason& reason : kReasons) {
     const bool is_asked = (facts.seen_if | reason.lacking) == facts.seen_if;
-    if (is_asked && (holds | reason.lacking) != holds) return "shows nothing: " + std::string(reason.words);
+    if (is_asked && (holds | reason.lacking) != holds)
+      return words::kShowsNothing.with(language, {reason.words.in(language)});
   }
   return "";
 }

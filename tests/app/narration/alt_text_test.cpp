@@ -67,7 +67,7 @@ TEST(AltText, TellsWhatChangesFromMomentToMoment) {
   EXPECT_EQ(moment_in_words(model, {}, 0.0, 3.0, 0.0),
             "Along axes 1, 2, 3 ω has the components 0, 2 and 0 radians per second.");
   scene.show = {Overlay::shape};
-  EXPECT_EQ(moment_in_words(make_model(scene), {}, 0.0, 1.0, 1.0), "The same at t = 1 seconds.")
+  EXPECT_EQ(moment_in_words(make_model(scene), {}, 0.0, 1.0, 1.0), "The same at t = 1 second.")
       << "nothing else is drawn";
 }
 
@@ -226,7 +226,7 @@ TEST(AltText, ScenesSideBySideAreSaidInTurn) {
   first.beside = {other};
   const std::string text = alt_text(
       make_model(first), {{.caption = "Left"}, {.caption = "Right", .marks = {"the arrow of a"}}}, 0.5);
-  EXPECT_THAT(text, testing::StartsWith("Scene 1 of 2, side by side. Seen from space: "));
+  EXPECT_THAT(text, testing::StartsWith("Scene 1 of 2. Seen from space: "));
   EXPECT_THAT(text, HasSubstr("Left. "));
   EXPECT_THAT(
       text,

@@ -288,6 +288,24 @@ TEST_F(DeckBrowser, FitsAnyWindowWithoutScrolling) {
   }
 }
 
+// 29 November 2026: words of buttons were broken in the middle, captions of the overview cut.
+TEST_F(DeckBrowser, OnAPhoneWordsStayWhole) {
+  for (const int width : {320, 360, 480, 600}) {
+    browser_->resize(width, 740);
+    EXPECT_EQ(
+        value("[...document.querySelectorAll('#bar button')].every(b => b.getClientRects().length === 1 && "
+              "b.clientHeight < 40 && "
+              "b.getBoundingClientRect().right <= innerWidth)"),
+        true)
+        << width;
+    browser_->press("o");
+    EXPECT_EQ(value("[...document.querySelectorAll('.slide h2')].every(h => h.scrollWidth <= h.clientWidth)"),
+              true)
+        << width;
+    browser_->press("o");
+  }
+}
+
 TEST_F(DeckBrowser, ALectureIsShownByKeysAlone) {
   const std::filesystem::path lecture = *folder_ / "lecture.html";
   const ProgramRun run = polhode({"export", test::source_dir() / "lessons/euler-equations.md", "--stage",

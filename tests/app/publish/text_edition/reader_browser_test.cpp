@@ -246,6 +246,20 @@ TEST_F(ReaderInBrowser, JudgesNumbers) {
     EXPECT_THAT(typed(unread), HasSubstr("Type a number in rad/s")) << unread;
 }
 
+// 29 November 2026: on a phone the verdict came below the lower edge, and Check seemed to do nothing.
+TEST_F(ReaderInBrowser, AVerdictIsSeen) {
+  open(kEditionLesson);
+  browser_->resize(360, 740);
+  value_of("(() => { const button = " + form("pick") +
+           ".querySelector('button'); button.scrollIntoView({ block: 'end' }); })()");
+  check("pick");
+  EXPECT_EQ(
+      value_of("(() => { const box = " + form("pick") +
+               ".querySelector('output').getBoundingClientRect(); return box.height > 0 && box.top >= 0 "
+               "&& box.bottom <= innerHeight; })()"),
+      true);
+}
+
 TEST_F(ReaderInBrowser, KeepsAndSendsNothing) {
   open(kEditionLesson);
   value_of(form("pick") + ".querySelectorAll('input')[1].click()");

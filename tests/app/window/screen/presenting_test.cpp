@@ -217,6 +217,17 @@ TEST_F(PresentingTest, WithoutLettersOnlyWhatClickersSendIsACommand) {
   EXPECT_EQ(session.place(), (StepPlace{11, 0}));
 }
 
+// 2026-11-29: a number stayed typed when what Enter does with it had gone.
+TEST_F(PresentingTest, ANumberIsTypedForAsLongAsItIsShown) {
+  const StepPlace before = session.place();
+  screen->press(session, "1");
+  frame(2);
+  ASSERT_NE(screen->notice(), "");
+  for (int i = 0; i < 8; ++i) ASSERT_TRUE(screen->draw(session, {.size = kSize, .scale = 1, .seconds = 1}));
+  screen->press(session, "Enter");
+  EXPECT_EQ(session.place(), before);
+}
+
 // 2026-11-29: N did nothing, and nothing else led to the speaker's window.
 TEST_F(PresentingTest, ALetterThatIsNoCommandSaysSo) {
   screen->press(session, "P");

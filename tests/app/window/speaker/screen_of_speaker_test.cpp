@@ -236,12 +236,11 @@ TEST_F(SpeakerTest, AStepThatIsComingInComesInBeforeItIsFrozen) {
   both(1);
   ASSERT_TRUE(screen->press_from_afar(session, "H", false));
   both(1);
-  EXPECT_LT(session.transition(), 1);
-  both(100);
   EXPECT_EQ(session.transition(), 1);
   EXPECT_TRUE(session.is_frozen());
   const Image frozen = screen->for_audience().read();
   EXPECT_EQ(frozen.rgba, screen->read().rgba);
+  // 2026-11-29: who walked on before the step was in froze the next one.
   ASSERT_TRUE(screen->press_from_afar(session, "Left", false));
   both();
   EXPECT_EQ(screen->for_audience().read().rgba, frozen.rgba);

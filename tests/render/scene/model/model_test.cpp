@@ -331,6 +331,9 @@ TEST(WhatIsUnseen, SaysWhy) {
   EXPECT_EQ(what_is_unseen(O::polhode, scene), "");
   EXPECT_EQ(what_is_unseen(O::cones, scene), "");
   EXPECT_EQ(what_is_unseen(O::N, scene), "shows nothing: no torque acts");
+  Scene german = scene;
+  german.language = Language::de;
+  EXPECT_EQ(what_is_unseen(O::N, german), "zeigt nichts: kein Drehmoment wirkt");
   EXPECT_EQ(what_is_unseen(O::p, scene),
             "shows nothing: the centre of mass is at rest: there is no velocity or force");
   EXPECT_EQ(what_is_unseen(O::pivot, scene), "shows nothing: the torque is not that of one heavy top");
