@@ -228,11 +228,9 @@ TEST(AltText, ScenesSideBySideAreSaidInTurn) {
       make_model(first), {{.caption = "Left"}, {.caption = "Right", .marks = {"the arrow of a"}}}, 0.5);
   EXPECT_THAT(text, testing::StartsWith("Scene 1 of 2. Seen from space: "));
   EXPECT_THAT(text, HasSubstr("Left. "));
-  EXPECT_THAT(
-      text,
-      HasSubstr(
-          "the body turns at 2 radians per second, with ω along L. Scene 2 of 2, side by side. Seen from the "
-          "body: "));
+  EXPECT_THAT(text,
+              HasSubstr("the body turns at 2 radians per second, with ω along L. Scene 2 of 2. Seen from the "
+                        "body: "));
   EXPECT_THAT(text, HasSubstr("and the arrow of a. Right. "));
   EXPECT_THAT(text, testing::EndsWith("the body turns at 3 radians per second, with ω along L."));
 }

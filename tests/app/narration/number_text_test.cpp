@@ -48,6 +48,16 @@ TEST(NumberText, IsSpokenInWords) {
   EXPECT_EQ(number_words(-181196.5, 2), "minus 1.8 times 10 to the power 5");
 }
 
+// 29 November 2026: "1 seconds".
+TEST(NumberText, OneOfAUnitIsSingular) {
+  EXPECT_EQ(with_unit("1", "s", Language::en), "1 second");
+  EXPECT_EQ(with_unit("1.5", "s", Language::en), "1.5 seconds");
+  EXPECT_EQ(with_unit("0", "deg", Language::en), "0 degrees");
+  EXPECT_EQ(with_unit("1", "s", Language::de), "1 Sekunde");
+  EXPECT_EQ(with_unit("1", "Hz", Language::en), "1 Hz") << "as it is written";
+  EXPECT_EQ(with_unit("1", "", Language::en), "1");
+}
+
 // 28 November 2026: alternative texts said "8.01e+37" and "-5.66".
 TEST(NumberText, HeardNumbersHaveNoZerosBehindThemAndNoSigns) {
   const auto said = [](double value, Language language = Language::en) {

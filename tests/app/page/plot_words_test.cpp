@@ -46,7 +46,7 @@ TEST(PlotWords, TellHowACurveGoes) {
 
 TEST(PlotWords, GapsAreNoCourse) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(course([&](double t) { return t < 0.5 ? none : t; }), "rises from 0.5 to 1 joules");
+  EXPECT_EQ(course([&](double t) { return t < 0.5 ? none : t; }), "rises from 0.5 to 1 joule");
   EXPECT_EQ(course([&](double) { return none; }), "not defined");
 }
 
