@@ -4,8 +4,6 @@
 #include <archive.h>
 #include <archive_entry.h>
 
-#include <cerrno>
-
 namespace polhode {
 
 namespace {
@@ -18,17 +16,16 @@ constexpr int kPermissions = 0644;  // of who unpacks it
 
 }  // namespace
 
-/// Where libarchive's bytes go, and what was said when they could not.
+/// Where libarchive's bytes go, and what was said when they could not. libarchive is not told: once it knows
+/// of a failure it no longer gives back all of its memory. What comes behind one goes nowhere.
 struct ZipFile::Sink {
   const AppendBytes& append;
   Status status = success();
 
-  static la_ssize_t write(archive* of, void* self, const void* bytes, std::size_t count) {
+  static la_ssize_t write(archive* /*of*/, void* self, const void* bytes, std::size_t count) {
     auto& sink = *static_cast<Sink*>(self);
-    sink.status = sink.append({static_cast<const std::uint8_t*>(bytes), count});
-    if (sink.status) return static_cast<la_ssize_t>(count);
-    archive_set_error(of, EIO, "cannot be written");
-    return -1;
+    if (sink.status) sink.status = sink.append({static_cast<const std::uint8_t*>(bytes), count});
+    return static_cast<la_ssize_t>(count);
   }
 };
 
@@ -42,7 +39,7 @@ ZipFile::ZipFile(const AppendBytes& append)
 
 ZipFile::~ZipFile() {
   if (archive_ == nullptr) return;
-  archive_write_fail(archive_);  // nothing more is written
+  if (sink_->status) sink_->status = failure("the archive was not finished");  // nothing more is written
   archive_write_free(archive_);
 }
 
@@ -61,11 +58,12 @@ Status ZipFile::add(const std::string& name, std::span<const std::uint8_t> bytes
   archive_entry_set_size(entry.get(), static_cast<la_int64_t>(bytes.size()));
   if (archive_write_header(archive_, entry.get()) != ARCHIVE_OK) return failed();
   const la_ssize_t written = archive_write_data(archive_, bytes.data(), bytes.size());
-  return written == static_cast<la_ssize_t>(bytes.size()) ? success() : failed();
+  return written == static_cast<la_ssize_t>(bytes.size()) && sink_->status ? success() : failed();
 }
 
 Status ZipFile::finish() {
   if (archive_ == nullptr || archive_write_close(archive_) != ARCHIVE_OK) return failed();
+  if (!sink_->status) return failed();
   archive_write_free(archive_);
   archive_ = nullptr;
   return success();
