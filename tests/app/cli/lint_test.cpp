@@ -180,6 +180,12 @@ TEST(LintBudget, HoldsForManySteps) {
   EXPECT_LT(found.cpu_s, kMostCpu_s);
 }
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr double kSlower = 12;  // measured: to set formulas is mostly to allocate
+#else
+constexpr double kSlower = 1;
+#endif
+
 // Each formula is some ten bytes, stands for `length` letters, and is set again on the pages of later steps.
 TEST(LintBudget, HoldsForFormulasThatMacrosMakeLong) {
   for (const auto& [length, steps] : {std::pair(16384, 20), std::pair(16384, 5), std::pair(1024, 80)}) {
@@ -190,7 +196,7 @@ TEST(LintBudget, HoldsForFormulasThatMacrosMakeLong) {
     const Linted found = linted(lesson_with(macros, body));
     testing::Test::RecordProperty("cpu_s_" + std::to_string(length) + "_" + std::to_string(steps),
                                   std::to_string(found.cpu_s));
-    EXPECT_LT(found.cpu_s, kMostCpu_s / 3) << length << ", " << steps << found.messages();
+    EXPECT_LT(found.cpu_s, kSlower * kMostCpu_s / 3) << length << ", " << steps << found.messages();
   }
 }
 
