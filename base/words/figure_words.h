@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is written in figures and plots. What alternative texts say of an overlay stands in its row,
-// render/scene/description/overlay.h.
+// What is written in figures and plots, and why an overlay is not seen there. What alternative texts say of
+// an overlay stands in its row, render/scene/description/overlay.h.
 #pragma once
 
 #include "base/words/phrase.h"

@@ -58,7 +58,6 @@ bool frame_needs_motion(const Scene& scene) {
          drawn.contains(Overlay::terms);
 }
 
-/// In the language of the scene.
 std::string what_is_unseen(Overlay overlay, const Scene& scene) {
   struct Reason {
     SeenIf lacking;

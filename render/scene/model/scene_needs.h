@@ -18,7 +18,7 @@ namespace polhode {
 OverlaySet drawn_overlays(const Scene& scene);
 
 /// What is missing of an overlay that a scene shows, and why: "shows nothing: no torque acts". Empty: nothing
-/// is.
+/// is. In the language of the scene.
 std::string what_is_unseen(Overlay overlay, const Scene& scene);
 
 /// Whether the motion is followed step by step, and may leave the surfaces of its start.
