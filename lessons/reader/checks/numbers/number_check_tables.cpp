@@ -295,8 +295,8 @@ void NumberCheck::check_row_heads(const TextTable& table) {
         check_row_statements(cell[i].math, *of_row);
         const auto is = read_side(cell[i].math, notation_);
         const bool is_quantity = is && is->nodes.size() == 1 && is->nodes[0].operation == Operation::quantity;
-        if (cell.size() == 1 && is_quantity &&
-            !can_have({*dimension_of(*is, {}).dimension}, of_row->dimension))
+        const auto dimension = is_quantity ? dimension_of(*is, {}).dimension : std::nullopt;
+        if (cell.size() == 1 && dimension && !can_have({*dimension}, of_row->dimension))
           refuse(*of_row,
                  "the head of a row says " + in_quotes(cell[i].text) + ", and its number is " +
                      to_string(*of_row->dimension),

@@ -194,5 +194,21 @@ TEST(ComputedNumbers, OfRadiansAreNotInHertz) {
                 ElementsAre(HasSubstr("by 2*pi, in Hz")));
 }
 
+/// A table of one row, whose number is |ω|.
+std::string table_of(const std::string& head) {
+  return lesson(
+      "a\n\n```table\ncolumns = [{ head = \"case\" }, { head = \"rate\", of = \"norm(omega)\", unit = "
+      "\"rad/s\" }]\nrows = [{ head = '" +
+      head + "', at = 1 }]\n```\n");
+}
+
+// 29 November 2026: the assertions of the standard library found that the dimension of h was read, which a
+// step of any size does not have.
+TEST(ComputedNumbers, HaveTheDimensionThatTheHeadOfTheirRowSaysIfItSaysOne) {
+  EXPECT_THAT(faults(table_of("$h$")), IsEmpty());
+  EXPECT_THAT(faults(table_of("$|\\vec\\omega|$")), IsEmpty());
+  EXPECT_THAT(faults(table_of("$T$")), ElementsAre(HasSubstr("the head of a row says")));
+}
+
 }  // namespace
 }  // namespace polhode
