@@ -38,9 +38,10 @@ class Agreement : public ::testing::Test {
     Verdict verdict = Verdict::undecided;
     for (std::size_t i = 0; i < kAssumptions.size(); ++i) {
       const Verdict ours = prover_.settle(equality, kAssumptions[i]);
-      const Verdict theirs = verdict_of(oracles_[i].compare(equality));
+      const Decision decision = oracles_[i].compare(equality);
+      const Verdict theirs = verdict_of(decision);
       EXPECT_EQ(ours, theirs) << equality.left.text << " = " << equality.right.text << "  " << kNames[i];
-      ++counts_[i][static_cast<std::size_t>(theirs)];
+      ++counts_[i][static_cast<std::size_t>(decision)];
       if (kAssumptions[i] == as) verdict = theirs;
     }
     ++equalities_;
@@ -60,7 +61,7 @@ class Agreement : public ::testing::Test {
   Prover prover_;
   std::array<Oracle, 3> oracles_{Oracle(LawsAssumed::identity), Oracle(LawsAssumed::motion),
                                  Oracle(LawsAssumed::free)};
-  std::array<std::array<int, 3>, 3> counts_{};
+  std::array<std::array<int, 3>, 3> counts_{};  // by assumption and Decision
   int equalities_ = 0;
 };
 
