@@ -3,10 +3,13 @@
 
 #include "app/narration/number_text.h"
 #include "base/angles.h"
+#include "base/ascii.h"
 #include "base/words/speech_words.h"
 #include "physics/body/euler.h"
 #include "render/scene/model/drawn_marks.h"
+#include "render/scene/model/method_orders.h"
 #include "render/scene/model/model.h"
+#include "render/scene/model/scene_needs.h"
 #include "render/scene/model/translation.h"
 #include "render/scene/model/transport_arrow.h"
 
@@ -35,13 +38,29 @@ Phrase diagram_words(const OverlaySet& show) {
   return count > 1 ? words::kDiagrams : words::kADiagram;
 }
 
-std::string shown_words(const OverlaySet& show, const std::vector<std::string>& marks, Language language) {
+/// The exact motion beside one of steps, and the weight of a top, are no overlays of their own.
+std::vector<Phrase> shown_besides(const Scene& scene, const OverlaySet& show) {
+  std::vector<Phrase> besides;
+  const Requirements needs = requirements(scene);
+  if (show.contains(Overlay::pivot)) besides.push_back(words::kTheWeight);
+  if (needs.ghost && needs.solid) besides.push_back(words::kExactBody);
+  if (needs.ghost && show.contains(Overlay::L)) besides.push_back(words::kExactLDashed);
+  if (needs.ghost && show.contains(Overlay::omega)) besides.push_back(words::kExactOmegaDashed);
+  return besides;
+}
+
+std::string shown_words(const Scene& scene, const OverlaySet& show, const std::vector<std::string>& marks) {
+  const Language language = scene.language;
   std::vector<std::string> words;
   for (int i = 0; i < kOverlayCount; ++i) {
     const auto overlay = static_cast<Overlay>(i);
-    const std::string_view of_overlay = facts_of(overlay).words.in(language);
-    if (show.contains(overlay) && !of_overlay.empty()) words.emplace_back(of_overlay);
+    const bool counts_evaluations = overlay == Overlay::order_plot && scene.compared.by_evaluations;
+    const Phrase& of_overlay =
+        counts_evaluations ? words::kErrorsAgainstEvaluations : facts_of(overlay).words;
+    if (show.contains(overlay) && !of_overlay.in(language).empty())
+      words.emplace_back(of_overlay.in(language));
   }
+  for (const Phrase& phrase : shown_besides(scene, show)) words.emplace_back(phrase.in(language));
   words.insert(words.end(), marks.begin(), marks.end());
   if (words.empty()) return std::string(words::kNothing.in(language));
   const std::string last = words.back();
@@ -289,9 +308,28 @@ class ChangeInWords {
   double from_s_, to_s_, t_s_;
 };
 
+/// Both ends of each curve of a plot of orders, and how steep it is.
+std::string orders_in_words(const SceneModel& model) {
+  const Language language = model.scene.language;
+  const bool by_evaluations = model.scene.compared.by_evaluations;
+  const auto number = [&](double value, int digits) { return short_number_words(value, digits, language); };
+  std::vector<std::string> told;
+  for (const MethodOrder& one : method_orders(model.orders, by_evaluations)) {
+    const auto [first_work, first_error] = one.points.front();
+    const auto [last_work, last_error] = one.points.back();
+    told.push_back((by_evaluations ? words::kMethodInEvaluations : words::kMethodInSteps)
+                       .with(language, {facts_of(one.method).term, number(first_error, 2),
+                                        number(std::round(first_work), 6), number(last_error, 2),
+                                        number(std::round(last_work), 6)}));
+    if (one.order) told.back() += words::kOfOrder.with(language, {number(*one.order, 2)});
+  }
+  return told.empty() ? "" : capitalized(fmt::format("{}. ", fmt::join(told, "; ")));
+}
+
+/// @param computed what is told of a diagram's curves
 /// @param before the scene that was told before it, whose body need not be told again; null: there is none
-std::string scene_in_words(const Scene& scene, const SceneInWords& said, const Vec3& w_B, double t_s,
-                           const Scene* before) {
+std::string scene_in_words(const Scene& scene, const SceneInWords& said, const std::string& computed,
+                           const Vec3& w_B, double t_s, const Scene* before) {
   const OverlaySet drawn = drawn_overlays(scene);
   const bool has_marks = draws_marks(scene);
   const Language language = scene.language;
@@ -301,7 +339,8 @@ std::string scene_in_words(const Scene& scene, const SceneInWords& said, const V
           : fmt::format(
                 "{}: {}. ",
                 (shows_space(drawn, has_marks) ? view_words(scene.views) : diagram_words(drawn)).in(language),
-                shown_words(drawn, said.marks, language));
+                shown_words(scene, drawn, said.marks));
+  if (!said.is_asked) text += computed;
   if (const std::string& caption = said.caption; !caption.empty() && caption_holds(scene, t_s))
     text += caption + (caption.ends_with('.') ? " " : ". ");
   if (before == nullptr || !(before->body == scene.body)) {
@@ -321,7 +360,7 @@ std::string scene_in_words(const Scene& scene, const SceneInWords& said, const V
 }  // namespace
 
 std::string alt_text(const Scene& scene, const SceneInWords& said, const Vec3& w_B, double t_s) {
-  return scene_in_words(scene, said, w_B, t_s, nullptr);
+  return scene_in_words(scene, said, "", w_B, t_s, nullptr);
 }
 
 std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& said, double t_s) {
@@ -332,8 +371,8 @@ std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& s
       text +=
           (i > 0 ? " " : "") + words::kSceneOf.with(shown[i]->scene.language,
                                                     {std::to_string(i + 1), std::to_string(shown.size())});
-    text += scene_in_words(shown[i]->scene, said[i], shown[i]->motion->w_B_at(t_s), t_s,
-                           i > 0 ? &shown[i - 1]->scene : nullptr);
+    text += scene_in_words(shown[i]->scene, said[i], orders_in_words(*shown[i]),
+                           shown[i]->motion->w_B_at(t_s), t_s, i > 0 ? &shown[i - 1]->scene : nullptr);
   }
   return text;
 }

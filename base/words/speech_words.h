@@ -95,6 +95,20 @@ inline constexpr Phrase kLines{"{0} dashed lines", "{0} gestrichelte Linien"};
 inline constexpr Phrase kAPlane{"a plane", "eine Ebene"}, kPlanes{"{0} planes", "{0} Ebenen"};
 inline constexpr Phrase kTheNote{"the note \"{0}\"{1}", "die Notiz „{0}“{1}"};
 
+inline constexpr Phrase kExactOmegaDashed{"the exact ω, dashed", "das exakte ω, gestrichelt"};
+inline constexpr Phrase kExactLDashed{"the exact L, dashed", "das exakte L, gestrichelt"};
+inline constexpr Phrase kExactBody{"the body of the exact motion", "der Körper der exakten Bewegung"};
+inline constexpr Phrase kTheWeight{"the weight", "das Gewicht"};
+inline constexpr Phrase kErrorsAgainstEvaluations{
+    "the errors of methods against the number of their evaluations, and their measured orders",
+    "die Fehler der Verfahren über der Anzahl ihrer Auswertungen und ihre gemessenen Ordnungen"};
+/// What a plot of orders shows: the method, its error and its work at both ends, and its order.
+inline constexpr Phrase kMethodInSteps{"{0}: an error of {1} with {2} steps, of {3} with {4}",
+                                       "{0}: ein Fehler von {1} bei {2} Schritten, von {3} bei {4}"};
+inline constexpr Phrase kMethodInEvaluations{"{0}: an error of {1} with {2} evaluations, of {3} with {4}",
+                                             "{0}: ein Fehler von {1} bei {2} Auswertungen, von {3} bei {4}"};
+inline constexpr Phrase kOfOrder{", order {0}", ", Ordnung {0}"};
+
 // Plots: what they show against what, and how each curve goes.
 inline constexpr Phrase kAgainstFromTo{"against {0} from {1} to {2}. ", "über {0} von {1} bis {2}. "};
 inline constexpr Phrase kFromTo{"from {0} to {1}. ", "von {0} bis {1}. "};

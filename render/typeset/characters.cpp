@@ -62,6 +62,13 @@ char32_t curled(char32_t mark, char32_t before) {
   return opens ? 0x2018 : 0x2019;
 }
 
+std::string curled(std::string_view text) {
+  std::string set;
+  char32_t last = U' ';
+  for (std::size_t at = 0; at < text.size();) append_utf8(set, last = curled(next_character(text, at), last));
+  return set;
+}
+
 std::string code_point_name(char32_t c) {
   std::string digits;
   for (; c > 0 || digits.size() < 4; c >>= 4) digits.insert(digits.begin(), "0123456789ABCDEF"[c & 0xF]);

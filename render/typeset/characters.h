@@ -5,6 +5,7 @@
 #include "base/utf8.h"
 
 #include <string>
+#include <string_view>
 
 namespace polhode {
 
@@ -28,6 +29,8 @@ Script script_of(char32_t character);
 /// A straight quotation mark as it is set: it opens after a space, a bracket, a dash or a mark that opens,
 /// and closes after anything else. What is no such mark stays.
 char32_t curled(char32_t mark, char32_t before);
+/// All of a text, which begins a line.
+std::string curled(std::string_view text);
 
 /// "U+05D0"
 std::string code_point_name(char32_t character);

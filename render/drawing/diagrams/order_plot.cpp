@@ -2,6 +2,7 @@
 // Error against steps, each method a curve; the steeper, the higher its order.
 #include "render/drawing/diagrams/diagram_paper.h"
 #include "render/drawing/plots/method_look.h"
+#include "render/scene/model/method_orders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,34 +11,7 @@ namespace polhode::diagrams {
 namespace {
 
 const Vec2 kLeast(30, 20), kMost(52, 34);
-constexpr double kTypeSize = 43.5;    ///< makes its labels as large as the type of a diagram
-constexpr double kLargestError = 10;  // beyond, a method has not followed the motion at all
-
-struct Sample {
-  double step_s, error;
-  double evaluations;  ///< in all
-};
-
-/// Of one method, from the longest step to the shortest.
-std::vector<Sample> samples_of(Method method, const std::vector<MethodTable>& tables) {
-  std::vector<Sample> samples;
-  for (const MethodTable& table : tables)
-    for (const MethodRow& row : table.rows)
-      if (row.method == method && row.error.omega <= kLargestError)
-        samples.push_back({table.step_s, row.error.omega, row.evaluations_per_s * std::abs(table.t_s)});
-  return samples;
-}
-
-/// log₂ of what the last halving of the step did to the error, where the error is small, and far above
-/// rounding, which grows with the number of steps.
-std::optional<double> measured_order(const std::vector<Sample>& samples) {
-  constexpr double kSmall = 0.05, kAboveRounding = 3e-12;
-  std::optional<double> order;
-  for (std::size_t i = 1; i < samples.size(); ++i)
-    if (samples[i - 1].error < kSmall && samples[i].error > kAboveRounding)
-      order = std::log2(samples[i - 1].error / samples[i].error);
-  return order;
-}
+constexpr double kTypeSize = 43.5;  ///< makes its labels as large as the type of a diagram
 
 std::string words_of(const std::optional<double>& order) {
   if (!order) return "";
@@ -45,22 +19,15 @@ std::string words_of(const std::optional<double>& order) {
   return "order " + one_decimal.text(*order);
 }
 
-std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double t_s, bool by_evaluations) {
+std::vector<PlotSeries> series_of(const std::vector<MethodOrder>& orders) {
   std::vector<PlotSeries> all;
-  for (const MethodRow& row : tables.front().rows) {
-    if (facts_of(row.method).control != StepControl::fixed) continue;
-    const std::vector<Sample> samples = samples_of(row.method, tables);
-    PlotSeries series{.label = std::string(facts_of(row.method).term),
-                      .detail = words_of(measured_order(samples)),
-                      .points = {},
-                      .emphasized = true,
-                      .look = look_of(row.method),
-                      .place = place_of(row.method)};
-    for (const Sample& sample : samples)
-      series.points.emplace_back(by_evaluations ? sample.evaluations : std::abs(t_s) / sample.step_s,
-                                 sample.error);
-    if (!series.points.empty()) all.push_back(std::move(series));
-  }
+  for (const MethodOrder& one : orders)
+    all.push_back({.label = std::string(facts_of(one.method).term),
+                   .detail = words_of(one.order),
+                   .points = one.points,
+                   .emphasized = true,
+                   .look = look_of(one.method),
+                   .place = place_of(one.method)});
   return all;
 }
 
@@ -72,7 +39,7 @@ void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, Di
   paper.plot({.title = "",  // its axes say what it is
               .x_label = work + " in " + NumberForm(t_s, 3).text(t_s) + " s",
               .y_label = "error of $\\vec\\omega$, relative",
-              .series = series_of(model.orders, t_s, by_evaluations),
+              .series = series_of(method_orders(model.orders, by_evaluations)),
               .tolerance = {},
               .recommended = {},
               .recommended_label = {},

@@ -32,6 +32,47 @@ Scene with_L() {
   return scene;
 }
 
+/// Half a second of a torque-free motion, by steps of 1/40 s and less.
+SceneModel orders(bool by_evaluations) {
+  Scene scene;
+  scene.show = {Overlay::order_plot};
+  scene.compared.methods = {Method::explicit_euler, Method::rk4};
+  scene.motion = {.method = Method::rk4, .step_s = 0.025};
+  scene.compared.by_evaluations = by_evaluations;
+  scene.at_s = 0.5;
+  return make_model(scene);
+}
+
+// 29 November 2026: all plots of orders had the same words, by which they were drawn against steps, and no
+// curve was told.
+TEST(AltText, CurvesOfMethodsAreToldByTheirEndsAndOrders) {
+  const std::string steps = alt_text(orders(false), {{}}, 0.5),
+                    evaluations = alt_text(orders(true), {{}}, 0.5);
+  EXPECT_THAT(steps, HasSubstr("against the number of their steps"));
+  EXPECT_THAT(steps,
+              testing::ContainsRegex("Explicit Euler: an error of [^;]* with 20 steps, of [^;]* with 1280, "
+                                     "order 1;"));
+  EXPECT_THAT(steps, testing::ContainsRegex("[^;]* with 20 steps, of [^;]*, order 4[.]"));
+  EXPECT_THAT(evaluations, HasSubstr("against the number of their evaluations"));
+  EXPECT_THAT(evaluations, testing::ContainsRegex("with 80 evaluations, of [^;]* with 5120, order 4[.]"));
+  EXPECT_THAT(alt_text(orders(true), {{.is_asked = true}}, 0.5), Not(HasSubstr("order 4")));
+}
+
+// 29 November 2026: captions spoke of arrows that the alternative text left out.
+TEST(AltText, TellsTheExactMotionBesideAndTheWeight) {
+  Scene scene = with_L();
+  scene.motion = {.method = Method::explicit_euler, .step_s = 0.01, .ghost = true};
+  const std::string text = alt_text(scene, {}, Vec3(0, 0, 2), 1.25);
+  EXPECT_THAT(text, HasSubstr("the exact L, dashed"));
+  EXPECT_THAT(text, HasSubstr("the exact ω, dashed"));
+  scene.motion.ghost = false;
+  EXPECT_THAT(alt_text(scene, {}, Vec3(0, 0, 2), 1.25), Not(HasSubstr("exact")));
+  EXPECT_THAT(text, Not(HasSubstr("the weight")));
+  scene.torque = {HeavyTop{1, Vec3::UnitZ()}};
+  scene.show = {Overlay::pivot};
+  EXPECT_THAT(alt_text(scene, {}, Vec3(0, 0, 2), 1.25), HasSubstr("the weight"));
+}
+
 // 28 November 2026: it was told of pictures without L, and of those that ask for it.
 TEST(AltText, HowOmegaLiesToLIsToldWhereBothAreDrawn) {
   EXPECT_THAT(
