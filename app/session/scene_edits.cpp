@@ -69,8 +69,7 @@ void show(OverlaySet& shown, const SceneEdits& edits) {
 SceneEdits edits_beside(const SceneEdits& edits, const Scene& scene, const Scene& other) {
   SceneEdits of_other = edits;
   of_other.is_counterexample = false;
-  const bool same_start = other.body == scene.body && other.w0_B == scene.w0_B &&
-                          other.attitude == scene.attitude && other.torque == scene.torque;
+  const bool same_start = starts_like(scene, other);
   if (!same_start || edits.is_counterexample) {
     of_other.body = {};
     of_other.w0_B = {};
@@ -129,6 +128,11 @@ Scene edited(Scene scene, const SceneEdits& edits) {
     scene.beside[i] = std::move(other);
   }
   return scene;
+}
+
+bool starts_like(const Scene& scene, const Scene& other) {
+  return other.body == scene.body && other.w0_B == scene.w0_B && other.attitude == scene.attitude &&
+         other.torque == scene.torque;
 }
 
 CameraSpec camera_beside(const CameraSpec& lesson_camera, const CameraSpec& own, const CameraSpec& shown) {

@@ -42,6 +42,9 @@ struct SceneEdits {
 /// @throws std::domain_error if the body cannot hang there
 Scene edited(Scene scene, const SceneEdits& edits);
 
+/// Whether a scene beside another one shows the same start, and so goes along with it.
+bool starts_like(const Scene& scene, const Scene& other);
+
 /// The camera of a scene beside another one, which is `shown` by a camera: that one too, so that what is
 /// turned can be compared, unless it is the lesson's.
 CameraSpec camera_beside(const CameraSpec& lesson_camera, const CameraSpec& own, const CameraSpec& shown);

@@ -185,6 +185,7 @@ inline constexpr Phrase kSeenAndRight{"{0} of {1} stages seen; questions: {2}",
                                       "{0} von {1} Abschnitten gesehen; Fragen: {2}"};
 inline constexpr Phrase kQuestionsRight{"Questions: {0}", "Fragen: {0}"};
 inline constexpr Phrase kOutcome{"outcome", "Lernziel"};
+inline constexpr Phrase kOtherQuestions{"other questions", "übrige Fragen"};
 inline constexpr Phrase kRightOfAsked{"right/asked", "richtig/gefragt"};
 inline constexpr Phrase kCountRight{"{0} of {1} right", "{0} von {1} richtig"};
 inline constexpr Phrase kCountRightAnswered{"{0} of {1} right, {2} answered",
@@ -225,6 +226,9 @@ inline constexpr Phrase kAngleOfOmegaAndL{"angle of ω and L", "Winkel von ω un
 inline constexpr Phrase kEarthTurns{"The Earth turns once in 23 h 56 min.",
                                     "Die Erde dreht sich in 23 h 56 min einmal."};
 inline constexpr Phrase kBodyAxes{"Body axes, at t = 0.", "Im Körpersystem, für t = 0."};
+inline constexpr Phrase kOneOfScenes{
+    "The body in picture {0} of {1}. A picture that begins in the same way changes with it.",
+    "Der Körper in Bild {0} von {1}. Ein Bild, das ebenso beginnt, ändert sich mit."};
 inline constexpr Phrase kBodyAxesOrDrag{
     "Body axes, at t = 0. Or take the tip of ω in the figure.",
     "Im Körpersystem, für t = 0. Oder die Spitze von ω in der Abbildung fassen."};

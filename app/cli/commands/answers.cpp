@@ -55,11 +55,15 @@ ExitCode show(const Lesson& lesson) {
   const AnswerLog answers = kept_answers_of(lesson);
   const Progress progress = progress_of(lesson, answers);
   std::string text = fmt::format("{}: {}\n", lesson.id, words_of(progress.all));
-  if (progress.tests_outcomes()) text += "\nOutcomes\n";
-  for (std::size_t i = 0; i < progress.outcomes.size(); ++i)
-    if (progress.outcomes[i].asked > 0)
-      text += fmt::format("  {:>2} of {:<2}  {}\n", progress.outcomes[i].right, progress.outcomes[i].asked,
-                          lesson.about.outcomes[i]);
+  const auto add = [&](const QuestionCount& count, const std::string& of) {
+    if (count.asked > 0) text += fmt::format("  {:>2} of {:<2}  {}\n", count.right, count.asked, of);
+  };
+  if (progress.tests_outcomes()) {
+    text += "\nOutcomes\n";
+    for (std::size_t i = 0; i < progress.outcomes.size(); ++i)
+      add(progress.outcomes[i], lesson.about.outcomes[i]);
+    add(progress.others, "(other questions)");
+  }
   text += "\nQuestions\n";
   for (const PlacedAsk& question : questions_of(lesson)) text += line_of(question, answers);
   fmt::print("{}", printable(text));

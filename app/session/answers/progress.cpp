@@ -40,6 +40,7 @@ Progress progress_of(const Lesson& lesson, const AnswerLog& answers) {
       if (is_known && record->second.right > 0) ++in.right;
     };
     count(progress.all);
+    if (question.ask->outcomes.empty()) count(progress.others);
     for (const int outcome : question.ask->outcomes)
       count(progress.outcomes[static_cast<std::size_t>(outcome - 1)]);
   }

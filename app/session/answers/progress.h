@@ -34,6 +34,7 @@ struct QuestionCount {
 struct Progress {
   QuestionCount all;
   std::vector<QuestionCount> outcomes;  ///< in the order of About::outcomes; a question may test several
+  QuestionCount others;                 ///< those that say none, so that what is told of all is accounted for
   /// Whether any question says which outcome it tests.
   bool tests_outcomes() const;
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/session/scene_edits.h"
 #include "app/session/symbol_note.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -29,6 +31,15 @@ void choose_omega(SceneEdits& edits, const Scene& scene, const Scene& lessons) {
   const double now = scene.w0_B.norm();
   if (is_earth && now > 0) edits.w0_B = Vec3(scene.w0_B * (kEarthTurns / now));
   if (!is_earth && was_earth && lessons.body.name != kEarth) edits.w0_B.reset();
+}
+
+/// Where others stand beside it, which of them is changed.
+void say_which(const PanelContext& context, const Scene& scene) {
+  const bool is_one = std::all_of(scene.beside.begin(), scene.beside.end(),
+                                  [&](const Scene& other) { return starts_like(scene, other); });
+  if (!is_one)
+    quiet_words(words::kOneOfScenes.with(
+        context.language(), {std::to_string(scene.before + 1), std::to_string(scene.beside.size() + 1)}));
 }
 
 void choose_body(PanelContext& context, const Scene& scene) {
@@ -163,6 +174,7 @@ void BodyPanel::draw(PanelContext& context, std::string& refusal) {
   LessonSession& session = context.session;
   if (!session.model()) return quiet_words(context.said(words::kStepHasNoFigure));
   heading(context.said(words::kBodyPanel).c_str());
+  say_which(context, session.model()->scene);
   set_ranges(session.model()->scene);
   choose_body(context, session.model()->scene);
   edit_moments(context, session.model()->scene, refusal);

@@ -48,6 +48,7 @@ void draw_progress(const PanelContext& context) {
   ImGui::TextDisabled("%s", numbers.c_str());
   for (std::size_t i = 0; i < progress.outcomes.size(); ++i)
     if (progress.outcomes[i].asked > 0) outcome_row(lesson.about.outcomes[i], progress.outcomes[i]);
+  if (progress.others.asked > 0) outcome_row(context.said(words::kOtherQuestions), progress.others);
   ImGui::EndTable();
   ImGui::Spacing();
 }

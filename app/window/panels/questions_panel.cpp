@@ -26,16 +26,10 @@ namespace {
 
 using Mark = AnswerJudgement::Mark;
 
-Language language_of(const PanelContext& context) { return context.session.lesson().about.language; }
-
-std::string said(const PanelContext& context, const Phrase& phrase) {
-  return std::string(phrase.in(language_of(context)));
-}
-
 /// Of the answer that was judged, whatever is typed since.
 void show_verdict(PanelContext& context, const Ask& ask, const JudgedAnswer& answer) {
   const AnswerJudgement& verdict = answer.judgement;
-  const Language language = language_of(context);
+  const Language language = context.language();
   const ToldVerdict told = told_verdict(ask, answer.text, verdict, language);
   if (verdict.mark == Mark::right) return right_words(told.verdict);
   warning_words(told.verdict);
@@ -50,11 +44,11 @@ void show_verdict(PanelContext& context, const Ask& ask, const JudgedAnswer& ans
 
 /// Typed, and checked with Enter or the button. What is right needs no other try.
 void ask_for_words(PanelContext& context, const Ask& ask, std::string& typed) {
-  const Language language = language_of(context);
+  const Language language = context.language();
   const std::string form = !ask.number ? words::kSuchAs.with(language, {form_of_answer(ask.type)})
-                           : ask.number->unit.empty() ? said(context, words::kANumber)
+                           : ask.number->unit.empty() ? context.said(words::kANumber)
                                                       : words::kANumberIn.with(language, {ask.number->unit});
-  const std::string check = said(context, words::kCheck);
+  const std::string check = context.said(words::kCheck);
   if (text_field(context, "##answer", form.c_str(), check.c_str(), typed))
     keep_typing(context.session.answer(ask, typed).mark != Mark::right);
   ImGui::SameLine();
@@ -68,8 +62,8 @@ void show_reply(PanelContext& context, const Ask& ask, const JudgedAnswer& answe
       ImGui::CalcTextSize("A").x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x;
   ImGui::Indent(indent);
   if (context.session.is_awaited(ask)) {
-    quiet_words(said(context, words::kWatchIt));
-    if (ImGui::Button(said(context, words::kSkipToVerdict).c_str())) context.session.end_play();
+    quiet_words(context.said(words::kWatchIt));
+    if (ImGui::Button(context.said(words::kSkipToVerdict).c_str())) context.session.end_play();
   } else {
     show_verdict(context, ask, answer);
     context.texts.show(text_after(ask, answer.judgement));
@@ -105,18 +99,18 @@ void show_hints(PanelContext& context, const Ask& ask, bool is_settled) {
   const auto shown = std::min(static_cast<std::size_t>(std::max(0, known.hints)), ask.hint_texts.size());
   for (std::size_t i = 0; i < shown; ++i)
     context.texts.show(
-        opened_by(words::kHintOpening.with(language_of(context), {std::to_string(i + 1)}), ask.hint_texts[i]),
+        opened_by(words::kHintOpening.with(context.language(), {std::to_string(i + 1)}), ask.hint_texts[i]),
         TextInk::quiet);
   if (!is_settled && is_told(known, ask.hints.size()))
     context.texts.show(
-        opened_by(said(context, words::kAnswerOpening), answer_text(context.session.lesson(), ask)));
+        opened_by(context.said(words::kAnswerOpening), answer_text(context.session.lesson(), ask)));
   AnswerRecord after = known;
   if (is_settled || !note_help(after, ask.hints.size())) return;
   // Whatever it says it is the same button, which keeps the focus.
   const Phrase& phrase = shown == ask.hints.size() ? words::kShowTheAnswer
                          : shown == 0              ? words::kAHint
                                                    : words::kAnotherHint;
-  if (ImGui::Button((said(context, phrase) + "###hint").c_str())) context.session.show_hint(ask);
+  if (ImGui::Button((context.said(phrase) + "###hint").c_str())) context.session.show_hint(ask);
 }
 
 /// Whether it was answered right before, and not tried since.
@@ -176,19 +170,19 @@ void QuestionsPanel::draw_forget(PanelContext& context, const Ask& ask) {
   if (record == nullptr) return;
   const std::string name = context.session.stage().id + '/' + ask.id;
   if (forgetting_ != name) {
-    if (ImGui::Button(said(context, words::kForgetAnswers).c_str())) forgetting_ = name;
+    if (ImGui::Button(context.said(words::kForgetAnswers).c_str())) forgetting_ = name;
     return;
   }
   const int count = record->tries > 0 ? record->tries : record->hints;
   const bool is_one = count == 1;
   const Phrase& phrase = forgotten_of(ask, *record, is_one);
-  plain_words(is_one ? said(context, phrase) : phrase.with(language_of(context), {std::to_string(count)}));
-  if (ImGui::Button(said(context, is_one ? words::kForgetIt : words::kForgetThem).c_str())) {
+  plain_words(is_one ? context.said(phrase) : phrase.with(context.language(), {std::to_string(count)}));
+  if (ImGui::Button(context.said(is_one ? words::kForgetIt : words::kForgetThem).c_str())) {
     context.session.forget_answer(ask);
     forgetting_.clear();
   }
   ImGui::SameLine();
-  if (ImGui::Button(said(context, is_one ? words::kKeepIt : words::kKeepThem).c_str())) forgetting_.clear();
+  if (ImGui::Button(context.said(is_one ? words::kKeepIt : words::kKeepThem).c_str())) forgetting_.clear();
 }
 
 /// As it is read: below the field in which it is typed.
@@ -206,8 +200,8 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
                                    std::size_t count) {
   ImGui::PushID(ask.id.c_str());
   const std::string of_all =
-      words::kQuestionNumber.with(language_of(context), {std::to_string(number), std::to_string(count)});
-  heading(count > 1 ? of_all.c_str() : said(context, words::kQuestionLabel).c_str());
+      words::kQuestionNumber.with(context.language(), {std::to_string(number), std::to_string(count)});
+  heading(count > 1 ? of_all.c_str() : context.said(words::kQuestionLabel).c_str());
   // What leads where in a derivation stands below, as it is typed; and goals with how far they are.
   const bool has_more_below = ask.derivation || ask.task;
   context.texts.show(has_more_below ? RichText{ask.prompt_text.front()} : ask.prompt_text);
@@ -216,7 +210,7 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
   switch (ask.type) {
     case Ask::Type::order:
       show_letters(context, ask);
-      quiet_words(said(context, words::kPutInOrder));
+      quiet_words(context.said(words::kPutInOrder));
       ask_for_words(context, ask, typed);
       break;
     case Ask::Type::expression:
@@ -262,14 +256,14 @@ void QuestionsPanel::draw_earlier(PanelContext& context, bool is_alone) {
   const StepPlace here = session.place();
   std::vector<PlacedAsk> earlier = questions_of_stage(session.lesson(), here.stage);
   std::erase_if(earlier, [&](const PlacedAsk& question) { return question.place.step >= here.step; });
-  if (is_alone) quiet_words(said(context, words::kNoQuestion));
+  if (is_alone) quiet_words(context.said(words::kNoQuestion));
   if (earlier.empty()) return;
-  heading(said(context, words::kEarlierInStage).c_str());
+  heading(context.said(words::kEarlierInStage).c_str());
   std::optional<StepPlace> chosen;
   for (const PlacedAsk& question : earlier) {
     const std::string opening = words::kEarlierStep.with(
-        language_of(context),
-        {std::to_string(question.place.step + 1), standing_of(session, question).in(language_of(context))});
+        context.language(),
+        {std::to_string(question.place.step + 1), standing_of(session, question).in(context.language())});
     const RichText words = opened_by(opening, {question.ask->prompt_text.front()});
     if (context.texts.row(question.name.c_str(), words, TextInk::quiet)) chosen = question.place;
   }
@@ -299,7 +293,7 @@ void QuestionsPanel::draw(PanelContext& context) {
     return ask->derivation || ask->expression;  // choices are picked, not written
   });
   if (written != questions.end()) {
-    heading(said(context, words::kHowToWrite).c_str());
+    heading(context.said(words::kHowToWrite).c_str());
     quiet_words(how_to_type(**written));
   }
   if (!is_end) draw_earlier(context, questions.empty());

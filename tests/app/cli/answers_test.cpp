@@ -52,10 +52,11 @@ TEST_F(Answers, AreShownForEachOutcomeAndQuestion) {
   run({"answer", "quiz", "quiz", "sign", "w1*w3*(I1 - I3)"});
   const ProgramRun shown = run({"answers", "quiz"});
   EXPECT_EQ(shown.code, 0) << shown.err;
-  EXPECT_EQ(shown.out,
-            "quiz: 1 of 2 right\n\nOutcomes\n   1 of 1   know signs\n\nQuestions\n"
-            "  right         quiz/sign: 2 tries, 1 hint\n"
-            "  not answered  quiz/which\n");
+  EXPECT_EQ(
+      shown.out,
+      "quiz: 1 of 2 right\n\nOutcomes\n   1 of 1   know signs\n   0 of 1   (other questions)\n\nQuestions\n"
+      "  right         quiz/sign: 2 tries, 1 hint\n"
+      "  not answered  quiz/which\n");
 }
 
 TEST_F(Answers, AreForgottenWithoutAQuestion) {

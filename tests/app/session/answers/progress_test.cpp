@@ -21,6 +21,7 @@ TEST(Progress, CountsForEachOutcomeTheQuestionsThatTestIt) {
   EXPECT_EQ(progress.all, (QuestionCount{1, 2, 4}));
   // sign tests the first, which and derive both, order none.
   EXPECT_THAT(progress.outcomes, ElementsAre(QuestionCount{1, 2, 3}, QuestionCount{0, 1, 2}));
+  EXPECT_EQ(progress.others, (QuestionCount{0, 0, 1}));
   EXPECT_EQ(words_of(progress.all), "1 of 4 right, 2 answered");
   EXPECT_EQ(words_of(progress.all, Language::de), "1 von 4 richtig, 2 beantwortet");
   EXPECT_EQ(open_words(progress.all), "2 not answered, 1 not yet right");
