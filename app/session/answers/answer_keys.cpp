@@ -66,6 +66,11 @@ bool is_open(const LessonSession& session, const Ask& ask) {
 
 }  // namespace
 
+bool awaits_answer(const LessonSession& session) {
+  const std::vector<const Ask*> asked = session.questions();
+  return std::any_of(asked.begin(), asked.end(), [&](const Ask* ask) { return session.is_awaited(*ask); });
+}
+
 bool has_open_prediction(const LessonSession& session) {
   const std::vector<const Ask*> asked = session.questions();
   return std::any_of(asked.begin(), asked.end(), [&](const Ask* ask) {

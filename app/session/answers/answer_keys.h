@@ -23,6 +23,9 @@ std::string why_no_choice(const LessonSession& session, std::string_view key);
 /// Whether the step asks what will happen, and nobody has said so yet, or been told.
 bool has_open_prediction(const LessonSession& session);
 
+/// Whether a question of the step was answered, and its motion is yet to show what happens.
+bool awaits_answer(const LessonSession& session);
+
 /// Whether an answer to it is typed into a field.
 bool is_typed(const Ask& ask);
 

@@ -96,6 +96,7 @@ class Screen {
  private:
   Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
          std::unique_ptr<ControlPass> controls, ImGuiContext* imgui);
+  static std::string said(const LessonSession& session, const Phrase& phrase);
   void adopt_style(const LessonSession& session, const ScreenFrame& frame);
   Region page_region(const LessonSession& session, Size size) const;
   float panel_width(const LessonSession& session, Size size) const;
