@@ -42,8 +42,10 @@
   const numberOf = (text, unit) => {
     const raised = "⁰¹²³⁴⁵⁶⁷⁸⁹";
     let typed = text.trim().replace(/[\u2212\u2013]/g, "-");
-    // Where numbers have commas, points are read as well.
-    if (words.decimal === ",") typed = typed.replace(/^([-+]?\d*),(?=\d)/, "$1.");
+    // Points and commas are read on every page: a telephone may offer no other mark than its country's. Only 1,234 has two
+    // meanings, of which an English page takes neither.
+    const isTwofold = words.decimal === "." && /^[-+]?[1-9]\d{0,2},\d{3}(?!\d)/.test(typed);
+    if (!isTwofold) typed = typed.replace(/^([-+]?\d*),(?=\d)/, "$1.");
     typed = typed.replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+/g, (power) => {
       const plain = [...power].map((c) => (c === "⁻" ? "-" : raised.indexOf(c))).join("");
       return /10$/.test(typed.slice(0, typed.indexOf(power))) ? "^" + plain : power;

@@ -15,12 +15,14 @@ inline constexpr Phrase kToTheText{"To the text", "Zum Text"};
 inline constexpr Phrase kContents{"Contents", "Inhalt"};
 inline constexpr Phrase kAllLessons{"All lessons", "Alle Lektionen"};
 inline constexpr Phrase kNextLesson{"The next lesson: {0}", "Die nächste Lektion: {0}"};
+/// Behind the title of a lesson, by the language that it is in, where the page is in another one.
+inline constexpr Phrase kInEnglish{"in English", "auf Englisch"}, kInGerman{"in German", "auf Deutsch"};
 inline constexpr Phrase kInAnotherLanguage{"This lesson in English", "Diese Lektion auf Deutsch"};
 inline constexpr Phrase kEquationLabel{"Equation {0}", "Gleichung {0}"};
 inline constexpr Phrase kEquationInBrackets{"Equation ({0})", "Gleichung ({0})"};
 inline constexpr Phrase kEquationAbove{"The equation above", "Die Gleichung oben"};
-inline constexpr Phrase kInTheFigure{"Its sides in the figure, at {0}: {1}",
-                                     "Ihre Seiten in der Abbildung, bei {0}: {1}"};
+inline constexpr Phrase kInTheFigure{"Both sides in the figure, at {0}: {1}",
+                                     "Beide Seiten in der Abbildung, bei {0}: {1}"};
 
 // Questions.
 inline constexpr Phrase kPredictLabel{"Question: predict", "Frage: Vorhersage"};

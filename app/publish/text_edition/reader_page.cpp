@@ -27,6 +27,18 @@ namespace polhode {
 
 namespace {
 
+/// Of another lesson; with a link if there is an address. Who reads this page need not read that language.
+std::string title_of_other(const ReaderTitle& other, const std::string& address, Language of_page) {
+  const std::string title = html_escaped(other.text), lang = lang_of(other.language, of_page);
+  std::string html = title;
+  if (!address.empty())
+    html = fmt::format("<a href=\"{}\"{}>{}</a>", html_escaped(address), lang, title);
+  else if (!lang.empty())
+    html = fmt::format("<span{}>{}</span>", lang, title);
+  const Phrase& language = other.language == Language::de ? words::kInGerman : words::kInEnglish;
+  return lang.empty() ? html : fmt::format("{} ({})", html, language.in(of_page));
+}
+
 bool is_in(const ReaderEdition& edition, const Stage& stage) {
   const std::vector<std::string>& wanted = edition.stages;
   return wanted.empty() || std::find(wanted.begin(), wanted.end(), stage.id) != wanted.end();
@@ -196,10 +208,7 @@ class ReaderText {
   std::string line_or_lesson(const std::string& line) const {
     const auto other = edition_.titles.find(line);
     if (other == edition_.titles.end()) return html_escaped(line);
-    const std::string title = html_escaped(other->second.text), address = html_.address_of(line),
-                      lang = lang_of(other->second.language, language());
-    if (!address.empty()) return fmt::format("<a href=\"{}\"{}>{}</a>", html_escaped(address), lang, title);
-    return lang.empty() ? title : fmt::format("<span{}>{}</span>", lang, title);
+    return title_of_other(other->second, html_.address_of(line), language());
   }
   std::string said(const Phrase& phrase) const { return html_escaped(phrase.in(language())); }
   std::string time(double t_s, int digits) const {
@@ -387,11 +396,9 @@ std::string link_to_index(const ReaderEdition& edition) {
 std::string link_to_next(const ReaderEdition& edition) {
   if (!edition.place || edition.place->next.empty()) return {};
   const ReaderPlace& place = *edition.place;
-  const std::string link = fmt::format("<a href=\"{}.html\"{}>{}</a>", html_escaped(place.next),
-                                       lang_of(place.next_title.language, edition.lesson.about.language),
-                                       html_escaped(place.next_title.text));
-  return "<p class=\"site next\">" + words::kNextLesson.with(edition.lesson.about.language, {link}) +
-         "</p>\n";
+  const Language language = edition.lesson.about.language;
+  const std::string link = title_of_other(place.next_title, place.next + ".html", language);
+  return "<p class=\"site next\">" + words::kNextLesson.with(language, {link}) + "</p>\n";
 }
 
 /// The error, where it is no full disk.
