@@ -4,6 +4,7 @@
 #include "base/spelling.h"
 #include "base/utf8.h"
 #include "lessons/reader/markdown/callouts.h"
+#include "render/typeset/characters.h"
 
 #include <algorithm>
 #include <array>
@@ -22,14 +23,14 @@ bool check_line(const std::string& text, const std::string& key, SourcePlace pla
 
 void read_line(const TomlEntry& entry, std::string& into, Report& report) {
   auto text = read_text(entry, report);
-  if (text && check_line(*text, entry.key, entry.value.place, report)) into = std::move(*text);
+  if (text && check_line(*text, entry.key, entry.value.place, report)) into = curled(*text);
 }
 
 void read_lines(const TomlEntry& entry, std::vector<std::string>& into, Report& report) {
   const auto lines = read_texts(entry, kMaxAboutLines, report);
   if (!lines) return;
   for (const PlacedText& line : *lines)
-    if (check_line(line.text, entry.key, line.place, report)) into.push_back(line.text);
+    if (check_line(line.text, entry.key, line.place, report)) into.push_back(curled(line.text));
 }
 
 void read_next(const TomlEntry& entry, AboutKeys& keys, Report& report) {

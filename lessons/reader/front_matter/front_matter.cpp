@@ -8,6 +8,7 @@
 #include "lessons/reader/checks/symbol_check.h"
 #include "physics/body/bodies.h"
 #include "physics/body/pivot.h"
+#include "render/typeset/characters.h"
 #include "render/typeset/math/tree.h"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ void read_title(const TomlEntry& entry, FrontMatter& front, Report& report) {
   if (is_blank(*title) || !is_plain_line(*title)) {
     report.error(entry.value.place, "a title is one line of text without control characters");
   }
-  front.title = *title;
+  front.title = curled(*title);
 }
 
 // What [body.NAME] may say; nothing is filled in that the author did not write.

@@ -18,6 +18,18 @@ std::string lesson_about(const std::string& keys, const std::string& text = "Tex
   return "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n" + keys + "\n+++\n# One {one}\n" + text + '\n';
 }
 
+// As in the text: what stands in a page's title is no other apostrophe than the one below it.
+TEST(AboutKeys, AreSetWithCurledMarks) {
+  const LessonReading reading = read_lesson(
+      "+++\nformat = 1\nid = \"a\"\ntitle = \"Euler's 'law'\"\noutcomes = \"know \\\"Newton's\\\" "
+      "law\"\n[references]\nF = \"You're Joking\"\n+++\n# One {one}\nSee [cite: F].\n",
+      "a.md");
+  ASSERT_TRUE(reading.lesson);
+  EXPECT_EQ(reading.lesson->title, "Euler’s ‘law’");
+  EXPECT_THAT(reading.lesson->about.outcomes, ElementsAre("know “Newton’s” law"));
+  EXPECT_EQ(reading.lesson->references.at(0).text, "You’re Joking");
+}
+
 TEST(AboutKeys, AreRead) {
   const LessonReading reading = read_lesson(
       lesson_about("author = [\"A. B.\", \"C. D.\"]\nlicence = \"CC BY 4.0\"\nlanguage = \"de\"\noutcomes = "
