@@ -278,11 +278,11 @@ TEST_F(SiteOfTwo, LinksALessonWithItsTranslation) {
               testing::AllOf(
                   HasSubstr("<link rel=\"alternate\" hreflang=\"de\" href=\"https://x.org/other.de.html\"/>"),
                   HasSubstr("href=\"other.de.html\"")));
-  EXPECT_THAT(
-      text_of(site / "other.de.html"),
-      testing::AllOf(
-          HasSubstr("<html lang=\"de\">"), HasSubstr("hreflang=\"en\" href=\"https://x.org/other.html\""),
-          HasSubstr("Die nächste Lektion: <a href=\"edition.html\" lang=\"en\">Edition</a> (auf Englisch)")));
+  EXPECT_THAT(text_of(site / "other.de.html"),
+              testing::AllOf(HasSubstr("<html lang=\"de\">"),
+                             HasSubstr("hreflang=\"en\" href=\"https://x.org/other.html\""),
+                             HasSubstr("Die nächste Lektion: <a href=\"edition.html\" lang=\"en\">An "
+                                       "&lt;edition&gt; &amp; more</a> (auf Englisch)")));
   // One lesson of the course, in two languages.
   EXPECT_THAT(text_of(site / "index.html"),
               testing::AllOf(HasSubstr("<span class=\"number\">1</span><a href=\"other.html\""),
