@@ -170,7 +170,7 @@ constexpr const char* kStop = R"js((async () => {
   if (!window.stops.has(key)) window.stops.set(key, window.stops.size);
   let place = part.getBoundingClientRect();
   const is_in_sight = () => place.bottom > 0 && place.top < innerHeight && place.height > 0;
-  for (let i = 0; i < 100 && !is_in_sight(); ++i) {
+  for (let i = 0; i < 1000 && !is_in_sight(); ++i) {  // a busy machine scrolls slowly
     await new Promise((go_on) => setTimeout(go_on, 20));
     place = part.getBoundingClientRect();
   }
