@@ -10,7 +10,7 @@ inline constexpr Point kPreviousStep{55, 775}, kNextStep{148, 775}, kPlay{302, 7
 inline constexpr Point kTimeLineStart{378, 775}, kTimeLineEnd{505, 775};
 inline constexpr Point kOutline{876, 775}, kAnswer{1104, 775};
 /// The third stage in the outline of euler-equations, at its beginning.
-inline constexpr Point kThirdStage{1100, 473};
+inline constexpr Point kThirdStage{1100, 499};
 
 /// The figure of played.md and its plots, a place in it that is background, and the tip of ω at the start.
 inline constexpr Point kFigureFrom{640, 10}, kFigureTo{1270, 500};
