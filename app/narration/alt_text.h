@@ -23,12 +23,13 @@ struct SceneInWords {
   bool is_asked = false;
 };
 
-/// Of a figure: the view, what is shown, its marks, the curves of a plot of orders, the caption, and numbers
-/// computed for the moment of the picture: |ω|, and the angle between ω and L where both are drawn. Plain
-/// text, UTF-8. Depends on the arguments alone.
+/// Of a figure: the view, what is shown, its marks, the caption, and numbers computed for the moment of the
+/// picture: |ω|, and the angle between ω and L where both are drawn. Plain text, UTF-8. Depends on the
+/// arguments alone.
 std::string alt_text(const Scene& scene, const SceneInWords& said, const Vec3& w_B, double t_s);
 
-/// The same of all that the model shows side by side, one after the other. What is `said` is of each scene,
+/// The same of all that the model shows side by side, one after the other, and the curves of plots of orders:
+/// method, error and work at both ends, order. What is `said` is of each scene,
 /// in their order.
 std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& said, double t_s);
 

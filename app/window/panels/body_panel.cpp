@@ -102,7 +102,9 @@ void show_state(const PanelContext& context, const SceneModel& model, double t_s
   value_row("T", number(readable(kinetic_energy(I, w_B), 4)) + " J");
   value_row("|L|", number(readable(L_B.norm(), 4)) + " kg m²/s");
   value_row(context.said(words::kAngleOfOmegaAndL).c_str(),
-            number(fmt::format("{:.2f}°", angle_between(w_B, L_B) * kDegreesPerRadian)));
+            w_B.isZero(0)  // where nothing turns there is no angle
+                ? "–"
+                : number(fmt::format("{:.2f}°", angle_between(w_B, L_B) * kDegreesPerRadian)));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include "render/scene/model/method_orders.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace polhode::diagrams {
 namespace {
