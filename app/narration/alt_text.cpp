@@ -49,16 +49,19 @@ std::vector<Phrase> shown_besides(const Scene& scene, const OverlaySet& show) {
   return besides;
 }
 
+/// Those of the overlay; of a plot of orders, also what counts as work.
+const Phrase& overlay_words(Overlay overlay, const Scene& scene) {
+  if (overlay != Overlay::order_plot) return facts_of(overlay).words;
+  return scene.compared.by_evaluations ? words::kErrorsAgainstEvaluations : words::kErrorsAgainstSteps;
+}
+
 std::string shown_words(const Scene& scene, const OverlaySet& show, const std::vector<std::string>& marks) {
   const Language language = scene.language;
   std::vector<std::string> words;
   for (int i = 0; i < kOverlayCount; ++i) {
     const auto overlay = static_cast<Overlay>(i);
-    const bool counts_evaluations = overlay == Overlay::order_plot && scene.compared.by_evaluations;
-    const Phrase& of_overlay =
-        counts_evaluations ? words::kErrorsAgainstEvaluations : facts_of(overlay).words;
-    if (show.contains(overlay) && !of_overlay.in(language).empty())
-      words.emplace_back(of_overlay.in(language));
+    const std::string_view of_overlay = overlay_words(overlay, scene).in(language);
+    if (show.contains(overlay) && !of_overlay.empty()) words.emplace_back(of_overlay);
   }
   for (const Phrase& phrase : shown_besides(scene, show)) words.emplace_back(phrase.in(language));
   words.insert(words.end(), marks.begin(), marks.end());
@@ -326,7 +329,7 @@ std::string orders_in_words(const SceneModel& model) {
   return told.empty() ? "" : capitalized(fmt::format("{}. ", fmt::join(told, "; ")));
 }
 
-/// @param computed what is told of a diagram's curves
+/// @param computed what is told of a diagram's curves, which it prints whatever is asked
 /// @param before the scene that was told before it, whose body need not be told again; null: there is none
 std::string scene_in_words(const Scene& scene, const SceneInWords& said, const std::string& computed,
                            const Vec3& w_B, double t_s, const Scene* before) {
@@ -340,7 +343,7 @@ std::string scene_in_words(const Scene& scene, const SceneInWords& said, const s
                 "{}: {}. ",
                 (shows_space(drawn, has_marks) ? view_words(scene.views) : diagram_words(drawn)).in(language),
                 shown_words(scene, drawn, said.marks));
-  if (!said.is_asked) text += computed;
+  text += computed;
   if (const std::string& caption = said.caption; !caption.empty() && caption_holds(scene, t_s))
     text += caption + (caption.ends_with('.') ? " " : ". ");
   if (before == nullptr || !(before->body == scene.body)) {

@@ -19,7 +19,8 @@ struct SceneInWords {
   /// Of the axes of the body, "nose", where an arrow has other names for them; empty: none.
   std::array<std::string, 3> axes{};
   std::string body{};  ///< what the lesson calls the body in its text, "plate"; empty: nothing
-  /// A question is asked of it, whose answer may lie in what is computed: that is left out.
+  /// A question is asked of it, whose answer may lie in what is computed: that is left out, but for what the
+  /// figure prints.
   bool is_asked = false;
 };
 

@@ -14,6 +14,7 @@
 #include "lessons/reader/scene/varied_scene.h"
 #include "render/scene/model/drawn_marks.h"
 #include "render/scene/model/scene_needs.h"
+#include "render/typeset/characters.h"
 #include "render/typeset/math/commands.h"
 
 #include <fmt/format.h>
@@ -319,7 +320,9 @@ std::string SpeechText::words_after(const Ask& ask, const AnswerJudgement& judge
   return text.empty() ? text : sentence(std::move(text));
 }
 
-std::string SpeechText::words_of_title(const Stage& stage) const { return sentence(words(stage.title_text)); }
+std::string SpeechText::words_of_title(const Stage& stage) const {
+  return sentence(curled(words(stage.title_text)));
+}
 
 std::string SpeechText::words_of_caption(const Step& step, std::size_t shown) const {
   const RichText* caption = caption_of(step, shown);

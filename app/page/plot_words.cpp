@@ -40,36 +40,69 @@ Range range_of(const std::vector<double>& values) {
 class Course {
  public:
   Course(const TimePlot& plot, const TimeSeries& curve) : plot_(plot), language_(plot.language) {
-    for (const double value : curve.y) {
+    for (std::size_t i = 0; i < curve.y.size(); ++i) {
+      const double value = curve.y[i];
       leaves_ =
           plot.range && std::isfinite(value) && !(plot.range->first <= value && value <= plot.range->second);
       is_outside_ = is_outside_ || leaves_;
       if (!std::isfinite(value) || leaves_) continue;  // what lies outside is not drawn
       is_cut_ = is_cut_ || (plot.log_floor && value < *plot.log_floor);
+      x_.push_back(plot.t[i]);
       y_.push_back(height_of(value));
       is_zero_ = is_zero_ && value == 0.0;
     }
     range_ = range_of(y_);
   }
 
+  /// How it goes.
   std::string words() const {
-    if (y_.empty())
-      return std::string((is_outside_ ? words::kOutsideThePlot : words::kNotDefined).in(language_));
-    if (is_zero_) return words::kStaysAt.with(language_, {with_unit("0")});
-    constexpr double kLeastChange = 1e-3;
-    if (range_.height() <= kLeastChange * height_of_plot())
-      return words::kStaysAt.with(language_, {with_unit(number(0.5 * (range_.low + range_.high)))});
-    const std::vector<double> turns = turning_points();
+    if (y_.empty()) return nothing();
+    if (is_flat()) return words::kStaysAt.with(language_, {with_unit(number(middle()))});
+    const std::vector<std::size_t> turns = turning_points();
     constexpr std::size_t kMostTold = 4;
-    return (turns.size() > kMostTold ? oscillation(turns) : in_turn(turns)) +
-           std::string(leaves_ ? words::kThenLeaves.in(language_) : "");
+    return (turns.size() > kMostTold ? oscillation(turns) : in_turn(turns)) + end();
+  }
+
+  /// What is read from it at both ends, at each top and bottom and halfway between them; evenly where those
+  /// are many.
+  std::string readings() const {
+    if (y_.empty()) return nothing();
+    const bool flat = is_flat();
+    const std::vector<std::size_t> turns =
+        flat ? std::vector<std::size_t>{0, y_.size() - 1} : turning_points();
+    constexpr std::size_t kMostTurns = 12, kEven = 24;
+    std::vector<std::size_t> read = {0};
+    if (turns.size() <= kMostTurns)
+      for (std::size_t i = 1; i < turns.size(); ++i)
+        read.insert(read.end(), {(turns[i - 1] + turns[i]) / 2, turns[i]});
+    else
+      for (std::size_t i = 1; i <= kEven; ++i) read.push_back(i * (y_.size() - 1) / kEven);
+    std::string text;
+    for (const std::size_t& i : read) {
+      const std::string value = number(flat ? middle() : y_[i]);
+      if (!text.empty()) text += ", ";
+      text += words::kReadAt.with(language_, {&i == &read.back() ? with_unit(value) : value,
+                                              short_number_words(x_[i], kDigits, language_)});
+    }
+    return text + end();
   }
 
  private:
+  std::string nothing() const {
+    return std::string((is_outside_ ? words::kOutsideThePlot : words::kNotDefined).in(language_));
+  }
+  /// No change of it can be seen in the plot.
+  bool is_flat() const {
+    constexpr double kLeastChange = 1e-3;
+    return is_zero_ || range_.height() <= kLeastChange * height_of_plot();
+  }
+  double middle() const { return 0.5 * (range_.low + range_.high); }
+  std::string end() const { return std::string(leaves_ ? words::kThenLeaves.in(language_) : ""); }
   double height_of(double value) const {
     return plot_.log_floor ? std::log10(std::max(value, *plot_.log_floor)) : value;
   }
   std::string number(double height) const {
+    if (is_zero_) return "0";
     const double value = plot_.log_floor ? std::pow(10.0, height) : height;
     const double last = 1e-3 * std::max(std::abs(range_.low), std::abs(range_.high));
     if (is_cut_ && value <= *plot_.log_floor * (1.0 + 1e-9))  // what lies below is drawn there
@@ -93,47 +126,48 @@ class Course {
   }
 
   /// Where it begins, each top and bottom, where it ends.
-  std::vector<double> turning_points() const {
+  std::vector<std::size_t> turning_points() const {
     constexpr double kLeastTurn = 0.05;
     const double least = kLeastTurn * range_.height();
-    std::vector<double> turns = {y_.front()};
-    double top = y_.front(), bottom = y_.front();
+    std::vector<std::size_t> turns = {0};
+    std::size_t top = 0, bottom = 0;
     int direction = 0;
-    for (const double y : y_) {
-      top = std::max(top, y);
-      bottom = std::min(bottom, y);
-      if (direction <= 0 && y - bottom > least) {
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      if (y_[i] > y_[top]) top = i;
+      if (y_[i] < y_[bottom]) bottom = i;
+      if (direction <= 0 && y_[i] - y_[bottom] > least) {
         if (direction < 0) turns.push_back(bottom);
         direction = 1;
-        top = y;
-      } else if (direction >= 0 && top - y > least) {
+        top = i;
+      } else if (direction >= 0 && y_[top] - y_[i] > least) {
         if (direction > 0) turns.push_back(top);
         direction = -1;
-        bottom = y;
+        bottom = i;
       }
     }
-    turns.push_back(y_.back());
+    turns.push_back(y_.size() - 1);
     return turns;
   }
 
-  std::string in_turn(const std::vector<double>& turns) const {
+  std::string in_turn(const std::vector<std::size_t>& turns) const {
     std::string text;
     for (std::size_t i = 1; i < turns.size(); ++i) {
-      const bool rises = turns[i] > turns[i - 1];
-      const std::string to = i + 1 == turns.size() ? with_unit(number(turns[i])) : number(turns[i]);
-      text += i == 1 ? (rises ? words::kRises : words::kFalls).with(language_, {number(turns[0]), to})
+      const double from = y_[turns[i - 1]], y = y_[turns[i]];
+      const bool rises = y > from;
+      const std::string to = i + 1 == turns.size() ? with_unit(number(y)) : number(y);
+      text += i == 1 ? (rises ? words::kRises : words::kFalls).with(language_, {number(from), to})
                      : (rises ? words::kThenRises : words::kThenFalls).with(language_, {to});
     }
     return text;
   }
 
-  std::string oscillation(const std::vector<double>& turns) const {
+  std::string oscillation(const std::vector<std::size_t>& turns) const {
     constexpr double kAlike = 0.1;
     Range tops, bottoms;
     std::size_t count = 0;
     for (std::size_t i = 1; i + 1 < turns.size(); ++i) {
-      const bool is_top = turns[i] > turns[i - 1];
-      (is_top ? tops : bottoms).add(turns[i]);
+      const bool is_top = y_[turns[i]] > y_[turns[i - 1]];
+      (is_top ? tops : bottoms).add(y_[turns[i]]);
       count += is_top ? 1 : 0;
     }
     const double most = kAlike * range_.height();
@@ -146,7 +180,7 @@ class Course {
 
   const TimePlot& plot_;
   Language language_;
-  std::vector<double> y_;
+  std::vector<double> x_, y_;
   bool is_zero_ = true;
   bool is_cut_ = false;      ///< something lies below the axis of a logarithmic plot
   bool is_outside_ = false;  ///< something lies outside of what is drawn
@@ -170,7 +204,7 @@ std::string path_in_words(const TimePlot& plot, const TimeSeries& curve) {
          std::string(closes ? words::kPathCloses.in(plot.language) : "");
 }
 
-std::string plot_in_words(const TimePlot& plot, const SpeechText& names) {
+std::string plot_in_words(const TimePlot& plot, const SpeechText& names, bool is_asked) {
   const Language language = plot.language;
   const Range x = range_of(plot.t);
   const auto number = [&](double value) { return short_number_words(value, kDigits, language); };
@@ -184,7 +218,7 @@ std::string plot_in_words(const TimePlot& plot, const SpeechText& names) {
                     : words::kAgainstFromTo.with(language, {of, low, high});
   for (const TimeSeries& curve : plot.series)
     text += (&curve == plot.series.data() ? "" : "; ") + names.words_of_line(curve.label) + ": " +
-            course_in_words(plot, curve);
+            (is_asked ? Course(plot, curve).readings() : course_in_words(plot, curve));
   return text + '.';
 }
 
@@ -196,7 +230,6 @@ std::string course_in_words(const TimePlot& plot, const TimeSeries& curve) {
 }
 
 std::string words_of_plots(const SceneModel& model, double t_s, const SpeechText& names, bool is_asked) {
-  if (is_asked) return names.words_of_plots(model.scene);
   const std::vector<const SceneModel*> shown = shown_models(model);
   const bool has_each = shown.size() > 1 && (each_has_meters(model) || is_plots_alone(model));
   std::string text;
@@ -207,7 +240,7 @@ std::string words_of_plots(const SceneModel& model, double t_s, const SpeechText
     if (!text.empty()) text += ' ';
     if (has_each) text += words::kScene.with(model.scene.language, {std::to_string(i + 1)});
     for (const TimePlot& plot : plots)
-      text += (&plot == plots.data() ? "" : " ") + plot_in_words(plot, names);
+      text += (&plot == plots.data() ? "" : " ") + plot_in_words(plot, names, is_asked);
   }
   return text;
 }

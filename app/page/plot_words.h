@@ -17,7 +17,8 @@ std::string course_in_words(const TimePlot& plot, const TimeSeries& curve);
 
 /// Of all plots that stand beside the model's figure, at t_s: the title, what they are against, from where to
 /// where, and how each curve goes. `names` is what is said of a label. Where a question is asked of the
-/// figure, whose answer may lie in the curves, only their names. Empty: there are no plots.
+/// figure, whose answer may lie in how they go, it is read as it is by eye: values at both ends of a curve, at
+/// each top and bottom and halfway between them, up to 24. Empty: there are no plots.
 std::string words_of_plots(const SceneModel& model, double t_s, const SpeechText& names, bool is_asked);
 
 }  // namespace polhode

@@ -99,6 +99,9 @@ inline constexpr Phrase kExactOmegaDashed{"the exact ω, dashed", "das exakte ω
 inline constexpr Phrase kExactLDashed{"the exact L, dashed", "das exakte L, gestrichelt"};
 inline constexpr Phrase kExactBody{"the body of the exact motion", "der Körper der exakten Bewegung"};
 inline constexpr Phrase kTheWeight{"the weight", "das Gewicht"};
+inline constexpr Phrase kErrorsAgainstSteps{
+    "the errors of methods against the number of their steps, and their measured orders",
+    "die Fehler der Verfahren über der Anzahl ihrer Schritte und ihre gemessenen Ordnungen"};
 inline constexpr Phrase kErrorsAgainstEvaluations{
     "the errors of methods against the number of their evaluations, and their measured orders",
     "die Fehler der Verfahren über der Anzahl ihrer Auswertungen und ihre gemessenen Ordnungen"};
@@ -125,6 +128,8 @@ inline constexpr Phrase kAMaximum{"one maximum", "einem Maximum"};
 inline constexpr Phrase kMaxima{"{0} maxima", "{0} Maxima"};
 inline constexpr Phrase kOutsideThePlot{"outside the range shown", "außerhalb des gezeigten Bereichs"};
 inline constexpr Phrase kThenLeaves{", then leaves the plot", ", und verlässt dann das Bild"};
+/// A value of a curve, and where it was read.
+inline constexpr Phrase kReadAt{"{0} at {1}", "{0} bei {1}"};
 inline constexpr Phrase kPathBetween{"a path between {0} and {1}", "eine Bahn zwischen {0} und {1}"};
 inline constexpr Phrase kPathCloses{", which comes back to where it began",
                                     ", die zu ihrem Anfang zurückkehrt"};

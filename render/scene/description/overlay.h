@@ -296,8 +296,8 @@ inline constexpr std::array<OverlayFacts, kOverlayCount> kOverlays = [] {
        .is_diagram = true},
       {.overlay = O::order_plot,
        .name = "order-plot",
-       .words = {"the errors of methods against the number of their steps, and their measured orders",
-                 "die Fehler der Verfahren über der Anzahl ihrer Schritte und ihre gemessenen Ordnungen"},
+       .words = {"the errors of methods against their work, and their measured orders",
+                 "die Fehler der Verfahren über ihrem Aufwand und ihre gemessenen Ordnungen"},
        .needs = {&R::orders},
        .is_diagram = true},
   }};
