@@ -35,13 +35,7 @@ std::string answer_in_short(const Lesson& lesson, const Ask& ask) {
   const Language language = lesson.about.language;
   if (ask.type == Ask::Type::derive) return {};
   if (ask.expression) return '$' + tex_of(*ask.expression, &lesson.notation.vocabulary) + '$';
-  if (ask.number) {
-    const std::string number = words_of(*ask.number);
-    constexpr std::string_view kDegrees = " deg";
-    return with_decimals(
-        number.ends_with(kDegrees) ? number.substr(0, number.size() - kDegrees.size()) + "°" : number,
-        language);
-  }
+  if (ask.number) return with_decimals(words_of(*ask.number), language);
   if (ask.task) {
     const std::string state = state_in_short(ask.task->solution, language);
     return state.empty() ? state : words::kForExample.with(language, {state});

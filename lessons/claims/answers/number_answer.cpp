@@ -347,7 +347,9 @@ std::string words_of(const NumberAnswer& answer) {
   const auto power_of = [](double x) { return x > 0 ? static_cast<int>(std::floor(std::log10(x))) : 0; };
   const int before_point = size < 1e5 ? 1 + power_of(size) : 0;
   const int shown = std::clamp(2 + power_of(ratio), std::max(2, before_point), 15);
-  return digits(*answer.value, shown) + (answer.unit.empty() ? "" : ' ' + answer.unit);
+  const std::string number = digits(*answer.value, shown);
+  if (answer.unit == "deg" || answer.unit == "°") return number + "°";
+  return number + (answer.unit.empty() ? "" : ' ' + answer.unit);
 }
 
 namespace {

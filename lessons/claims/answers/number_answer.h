@@ -31,7 +31,8 @@ inline constexpr double kMostWithin = 0.2;
 /// How far off an answer may be, in the unit. Precondition: there is a value.
 double tolerance_of(const NumberAnswer& answer);
 
-/// The value with the digits that its tolerance leaves, and its unit: "4.19 rad/s"; "" without a value.
+/// The value with the digits that its tolerance leaves, and its unit: "4.19 rad/s", "35.6°"; "" without a
+/// value.
 std::string words_of(const NumberAnswer& answer);
 
 /// Reads "4.2", "4.2 J", "4200 mJ", "1.2e3", "1.2·10^3 rpm", "1.2 × 10³", and converts units of the same kind

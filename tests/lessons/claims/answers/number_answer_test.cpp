@@ -154,6 +154,7 @@ TEST(NumberAnswer, IsSaidWithTheDigitsItsToleranceLeaves) {
   EXPECT_EQ(words_of(number(4.18879, "rad/s")), "4.19 rad/s");
   EXPECT_EQ(words_of(number(4.18879, "rad/s", 0.0001)), "4.18879 rad/s");
   EXPECT_EQ(words_of(number(4188.79, "1")), "4189 1");
+  EXPECT_EQ(words_of(number(35.57, "deg")), "35.6°");
   NumberAnswer alone;
   alone.value = -0.51234;
   EXPECT_EQ(words_of(alone), "-0.512");
