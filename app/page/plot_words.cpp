@@ -63,18 +63,20 @@ class Course {
     return (turns.size() > kMostTold ? oscillation(turns) : in_turn(turns)) + end();
   }
 
-  /// What is read from it at both ends, at each top and bottom and halfway between them; evenly where those
-  /// are many.
+  /// What is read from it at both ends, at each top and bottom and halfway between them; without what is
+  /// halfway where those are many, and evenly where they are too many.
   std::string readings() const {
     if (y_.empty()) return nothing();
     const bool flat = is_flat();
     const std::vector<std::size_t> turns =
         flat ? std::vector<std::size_t>{0, y_.size() - 1} : turning_points();
-    constexpr std::size_t kMostTurns = 12, kEven = 24;
+    constexpr std::size_t kMostHalved = 13, kEven = 24;
     std::vector<std::size_t> read = {0};
-    if (turns.size() <= kMostTurns)
-      for (std::size_t i = 1; i < turns.size(); ++i)
-        read.insert(read.end(), {(turns[i - 1] + turns[i]) / 2, turns[i]});
+    if (turns.size() <= kEven + 1)
+      for (std::size_t i = 1; i < turns.size(); ++i) {
+        if (turns.size() <= kMostHalved) read.push_back((turns[i - 1] + turns[i]) / 2);
+        read.push_back(turns[i]);
+      }
     else
       for (std::size_t i = 1; i <= kEven; ++i) read.push_back(i * (y_.size() - 1) / kEven);
     std::string text;

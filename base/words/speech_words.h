@@ -153,6 +153,10 @@ inline constexpr auto kUnits = std::to_array<UnitWords>({
     {"m/s", {"metre per second", "Meter pro Sekunde"}, {"metres per second", "Meter pro Sekunde"}},
     {"J", {"joule", "Joule"}, {"joules", "Joule"}},
     {"mJ", {"millijoule", "Millijoule"}, {"millijoules", "Millijoule"}},
+    {"µJ", {"microjoule", "Mikrojoule"}, {"microjoules", "Mikrojoule"}},
+    {"J² s²",
+     {"joule squared times second squared", "Quadratjoule mal Quadratsekunde"},
+     {"joules squared times seconds squared", "Quadratjoule mal Quadratsekunden"}},
     {"W", {"watt", "Watt"}, {"watts", "Watt"}},
     {"N m", {"newton metre", "Newtonmeter"}, {"newton metres", "Newtonmeter"}},
     {"kg m²",
@@ -164,6 +168,11 @@ inline constexpr auto kUnits = std::to_array<UnitWords>({
     {"rad/s²",
      {"radian per second squared", "Radiant pro Quadratsekunde"},
      {"radians per second squared", "Radiant pro Quadratsekunde"}},
+    {"rad²/s²",
+     {"radian squared per second squared", "Quadratradiant pro Quadratsekunde"},
+     {"radians squared per second squared", "Quadratradiant pro Quadratsekunde"}},
+    {"1/s", {"per second", "pro Sekunde"}, {"per second", "pro Sekunde"}},
+    {"kg", {"kilogram", "Kilogramm"}, {"kilograms", "Kilogramm"}},
 });
 
 // Transcripts.
