@@ -16,11 +16,14 @@ std::vector<MethodTable> tables(const std::vector<double>& errors, double evalua
   std::vector<MethodTable> all;
   double step_s = 0.1;
   for (const double error : errors) {
-    MethodTable table{.t_s = 0.5, .step_s = step_s, .rows = {{.method = Method::exact}}};
+    MethodTable& table = all.emplace_back();
+    table.t_s = 0.5;
+    table.step_s = step_s;
+    table.rows.resize(2);
     table.rows[0].error.omega = kNone;
-    table.rows.push_back({.method = Method::rk4, .evaluations_per_s = evaluations_a_step / step_s});
-    table.rows.back().error.omega = error;
-    all.push_back(table);
+    table.rows[1].method = Method::rk4;
+    table.rows[1].error.omega = error;
+    table.rows[1].evaluations_per_s = evaluations_a_step / step_s;
     step_s /= 2;
   }
   return all;
