@@ -2,6 +2,9 @@
 #include "app/window/controls/control_style.h"
 
 #include <imgui.h>
+#if IMGUI_VERSION_NUM >= 19200
+#include <imgui_internal.h>  // ImFontAtlasBakedAddFontGlyph
+#endif
 
 #include <array>
 #include <cmath>
@@ -35,21 +38,46 @@ constexpr float kSmall = 0.68F;
 constexpr std::u16string_view kSigns = u"0123456789+−=()", kSuperscripts = u"⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾",
                               kSubscripts = u"₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎";
 
+// From 1.92 on a font has a set of glyphs for each size at which it is drawn; these are loaded at one.
+#if IMGUI_VERSION_NUM >= 19200
+using Glyphs = ImFontBaked;
+Glyphs& glyphs_of(ImFont& font) { return *font.GetFontBaked(font.LegacySize); }
+float size_of(const Glyphs& glyphs) { return glyphs.Size; }
+#else
+using Glyphs = ImFont;
+Glyphs& glyphs_of(ImFont& font) { return font; }
+float size_of(const Glyphs& glyphs) { return glyphs.FontSize; }
+#endif
+
+/// The same picture as `of`, moved down by y.
+void add_glyph(ImFontAtlas& atlas, Glyphs& glyphs, char16_t sign, const ImFontGlyph& of, float y) {
+#if IMGUI_VERSION_NUM >= 19200
+  ImFontGlyph glyph = of;
+  glyph.Codepoint = sign;
+  glyph.Y0 += y;
+  glyph.Y1 += y;
+  glyph.PackId = ImFontAtlasRectId_Invalid;  // the place in the atlas stays that of the other
+  ImFontAtlasBakedAddFontGlyph(&atlas, &glyphs, nullptr, &glyph);
+#else
+  static_cast<void>(atlas);
+  glyphs.AddGlyph(nullptr, sign, of.X0, of.Y0 + y, of.X1, of.Y1 + y, of.U0, of.V0, of.U1, of.V1, of.AdvanceX);
+#endif
+}
+
 /// `small` has kSigns at kSmall of the size of `font`. What is above the line is as high as a digit, what is
 /// below it reaches down by a third of its own height.
-void add_small_signs(ImFont& font, ImFont& small) {
+void add_small_signs(ImFontAtlas& atlas, Glyphs& font, Glyphs& small) {
   const ImFontGlyph &digit = *font.FindGlyph('1'), &small_digit = *small.FindGlyph('1');
   const float raised = std::round(digit.Y0 - small_digit.Y0),
               lowered = std::round(digit.Y1 - small_digit.Y1 + (small_digit.Y1 - small_digit.Y0) / 3);
-  const auto add = [&](char16_t sign, const ImFontGlyph& of, float y) {
-    font.AddGlyph(nullptr, sign, of.X0, of.Y0 + y, of.X1, of.Y1 + y, of.U0, of.V0, of.U1, of.V1, of.AdvanceX);
-  };
   for (std::size_t i = 0; i < kSigns.size(); ++i) {
     const ImFontGlyph& of = *small.FindGlyph(kSigns[i]);
-    add(kSuperscripts[i], of, raised);
-    add(kSubscripts[i], of, lowered);
+    add_glyph(atlas, font, kSuperscripts[i], of, raised);
+    add_glyph(atlas, font, kSubscripts[i], of, lowered);
   }
+#if IMGUI_VERSION_NUM < 19200
   font.BuildLookupTable();
+#endif
 }
 
 }  // namespace
@@ -84,8 +112,11 @@ void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts) {
   add(Face::sans, 1, kRest.data(), true);
   add(Face::sans_bold, 1, kLatin.data());
   ImFont& small = add(Face::sans, kSmall, kOfSmallSigns.data());
+#if IMGUI_VERSION_NUM >= 19200
+  atlas.TexDesiredFormat = ImTextureFormat_Alpha8;  // that which is drawn from: another would be built anew
+#endif
   atlas.Build();
-  add_small_signs(regular, small);
+  add_small_signs(atlas, glyphs_of(regular), glyphs_of(small));
 }
 
 void begin_controls() {
@@ -104,6 +135,11 @@ void begin_controls() {
 }
 
 ImFont* bold_control_font() { return ImGui::GetIO().Fonts->Fonts[1]; }
+
+float control_baseline(float em) {
+  const Glyphs& glyphs = glyphs_of(*ImGui::GetFont());
+  return glyphs.Ascent * em / size_of(glyphs);
+}
 
 void set_control_style(Theme theme, const ControlSizes& sizes) {
   ImGuiStyle& style = ImGui::GetStyle();

@@ -31,6 +31,9 @@ void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts);
 /// Of headings; after load_control_fonts.
 ImFont* bold_control_font();
 
+/// From the top of a line of the current font to its baseline, where the font is em high.
+float control_baseline(float em);
+
 /// Colours, roundings and distances of the current ImGui context.
 void set_control_style(Theme theme, const ControlSizes& sizes);
 

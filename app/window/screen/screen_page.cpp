@@ -2,6 +2,7 @@
 // What the screen lays over the page, and what a pointer does to its text: choices, scrolling, how to begin.
 #include "app/session/answers/answer_text.h"
 #include "app/session/words/step_words.h"
+#include "app/window/controls/control_style.h"
 #include "app/window/screen/screen.h"
 #include "base/words/page_words.h"
 #include "base/words/window_words.h"
@@ -114,9 +115,8 @@ void Screen::draw_mark_beside(const LessonSession& session, const PixelBox& box,
   const Phrase& phrase = is_right ? words::kMarkedRight : words::kMarkedNotRight;
   const std::string word(phrase.in(session.lesson().about.language));
   const double left = box.x0 - 0.9 * page_->page().scale * em - ImGui::CalcTextSize(word.c_str()).x;
-  const double ascent = ImGui::GetFont()->Ascent * em / ImGui::GetFont()->FontSize;
   ImGui::GetBackgroundDrawList()->AddText(
-      {static_cast<float>(left), static_cast<float>(baseline - ascent)},
+      {static_cast<float>(left), static_cast<float>(baseline - control_baseline(em))},
       ImGui::GetColorU32(is_right ? ImGuiCol_PlotLines : ImGuiCol_NavHighlight), word.c_str());
 }
 
