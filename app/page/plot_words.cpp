@@ -166,18 +166,25 @@ class Course {
   std::string oscillation(const std::vector<std::size_t>& turns) const {
     constexpr double kAlike = 0.1;
     Range tops, bottoms;
-    std::size_t count = 0;
+    int count = 0;
     for (std::size_t i = 1; i + 1 < turns.size(); ++i) {
       const bool is_top = y_[turns[i]] > y_[turns[i - 1]];
       (is_top ? tops : bottoms).add(y_[turns[i]]);
       count += is_top ? 1 : 0;
     }
     const double most = kAlike * range_.height();
+    // A curve that begins or ends at its top has one there.
+    const bool at_start = y_.front() >= tops.low - most, at_end = y_.back() >= tops.low - most;
+    count += (at_start ? 1 : 0) + (at_end ? 1 : 0);
+    const Phrase& where = at_start && at_end ? words::kOneAtEachEnd
+                          : at_start         ? words::kOneAtTheStart
+                                             : words::kOneAtTheEnd;
     const bool is_even = tops.height() <= most && bottoms.height() <= most;
     return (is_even ? words::kOscillates : words::kGoesUpAndDown)
-        .with(language_, {number(range_.low), with_unit(number(range_.high)),
-                          count == 1 ? std::string(words::kAMaximum.in(language_))
-                                     : words::kMaxima.with(language_, {std::to_string(count)})});
+               .with(language_, {number(range_.low), with_unit(number(range_.high)),
+                                 count == 1 ? std::string(words::kAMaximum.in(language_))
+                                            : words::kMaxima.with(language_, {std::to_string(count)})}) +
+           std::string(at_start || at_end ? where.in(language_) : "");
   }
 
   const TimePlot& plot_;

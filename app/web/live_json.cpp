@@ -205,7 +205,7 @@ std::string words_json(LiveFigure& figure) {
   read("T", fmt::format("{:.5g} J", kinetic_energy(I, w_B)));
   read("|L|", fmt::format("{:.5g} kg m²/s", L_B.norm()));
   if (w_B.norm() > 0)
-    read("angle of ω and L", fmt::format("{:.2f}°", angle_between(w_B, L_B) * kDegreesPerRadian));
+    read("angle between ω and L", fmt::format("{:.2f}°", angle_between(w_B, L_B) * kDegreesPerRadian));
   if (const auto& error = figure.accuracy().error) {
     read("error of ω", size_in_words(error->omega, ""));
     read("error of attitude", size_in_words(error->attitude_rad, " rad"));

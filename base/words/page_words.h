@@ -20,7 +20,7 @@ inline constexpr Phrase kForExample{"for example {0}", "zum Beispiel {0}"};
 inline constexpr Phrase kGivenOpening{"Given: ", "Gegeben: "};
 inline constexpr Phrase kGoal{"Goal: ", "Ziel: "};
 inline constexpr Phrase kYouMayChange{"You may change ", "Verändert werden darf: "};
-inline constexpr Phrase kAsTheMotionBegins{", as the motion begins", ", zu Beginn der Bewegung"};
+inline constexpr Phrase kAsTheMotionBegins{", at the start", ", zu Beginn der Bewegung"};
 inline constexpr Phrase kAtLeast{"at least {0}", "mindestens {0}"};
 inline constexpr Phrase kAtMost{"at most {0}", "höchstens {0}"};
 inline constexpr Phrase kBetween{"between {0} and {1}", "zwischen {0} und {1}"};

@@ -31,14 +31,14 @@ inline constexpr Phrase kArrowAPoints{"The arrow A points {0} away from where it
                                       "Der Pfeil A weicht um {0} von seiner Richtung bei t = {1} ab."};
 inline constexpr Phrase kCentreIsAway{"The centre of mass is {0} from where it was at t = {1}.",
                                       "Der Massenmittelpunkt ist {0} von seinem Ort bei t = {1} entfernt."};
-inline constexpr Phrase kWentRoundL{"Since t = {0} {1} has gone round L {2}.",
+inline constexpr Phrase kWentRoundL{"Since t = {0}, {1} has gone round L {2}.",
                                     "Seit t = {0} ist {1} {2} um L gelaufen."};
-inline constexpr Phrase kBothWentRoundL{"Since t = {0} {1} has gone round L {2}, and {3} has {4}.",
+inline constexpr Phrase kBothWentRoundL{"Since t = {0}, {1} has gone round L {2}, and {3} {4}.",
                                         "Seit t = {0} ist {1} {2} um L gelaufen, und {3} {4}."};
 inline constexpr Phrase kOnce{"once", "einmal"};
 inline constexpr Phrase kSoManyTimes{"{0} times", "{0} Mal"};
 inline constexpr Phrase kWentRoundAxis{
-    "Since t = {0} {1} has gone {2} round axis {3}, {4} seen from its tip.",
+    "Since t = {0}, {1} has gone {2} round axis {3}, {4} seen from its tip.",
     "Seit t = {0} ist {1} {2} um Achse {3} gelaufen, {4}, von ihrer Spitze aus gesehen."};
 inline constexpr Phrase kAnticlockwise{"anticlockwise", "gegen den Uhrzeigersinn"};
 inline constexpr Phrase kClockwise{"clockwise", "im Uhrzeigersinn"};
@@ -126,6 +126,9 @@ inline constexpr Phrase kGoesUpAndDown{"goes up and down between {0} and {1}, wi
                                        "geht auf und ab zwischen {0} und {1}, mit {2}"};
 inline constexpr Phrase kAMaximum{"one maximum", "einem Maximum"};
 inline constexpr Phrase kMaxima{"{0} maxima", "{0} Maxima"};
+inline constexpr Phrase kOneAtTheStart{", one at the start", ", eines am Anfang"};
+inline constexpr Phrase kOneAtTheEnd{", one at the end", ", eines am Ende"};
+inline constexpr Phrase kOneAtEachEnd{", one at each end", ", je eines an beiden Enden"};
 inline constexpr Phrase kOutsideThePlot{"outside the range shown", "außerhalb des gezeigten Bereichs"};
 inline constexpr Phrase kThenLeaves{", then leaves the plot", ", und verlässt dann das Bild"};
 /// A value of a curve, and where it was read.

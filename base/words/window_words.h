@@ -222,7 +222,7 @@ inline constexpr Phrase kTheLessons{"the lesson's", "der Körper der Lektion"};
 inline constexpr Phrase kOfTheLesson{"{0} (the lesson's)", "{0} (aus der Lektion)"};
 inline constexpr Phrase kAngularVelocity{"Angular velocity", "Winkelgeschwindigkeit"};
 inline constexpr Phrase kAtPresent{"Now", "Jetzt"};
-inline constexpr Phrase kAngleOfOmegaAndL{"angle of ω and L", "Winkel von ω und L"};
+inline constexpr Phrase kAngleOfOmegaAndL{"angle between ω and L", "Winkel zwischen ω und L"};
 inline constexpr Phrase kEarthTurns{"The Earth turns once in 23 h 56 min.",
                                     "Die Erde dreht sich in 23 h 56 min einmal."};
 inline constexpr Phrase kBodyAxes{"Body axes, at t = 0.", "Im Körpersystem, für t = 0."};

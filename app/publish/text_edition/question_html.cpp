@@ -93,8 +93,10 @@ class QuestionHtml {
           "type=\"text\" inputmode=\"decimal\" size=\"12\" aria-describedby=\"{0}.prompt\"/></p>\n",
           id_, said(words::kYourAnswer));
     if (!has_choices(ask_.type)) return {};
-    std::string html = fmt::format("<div class=\"choices\" role=\"{}\" aria-labelledby=\"{}.label\">\n",
-                                   picks_choice(ask_.type) ? "radiogroup" : "group", id_);
+    std::string html = fmt::format(
+        "<div class=\"choices\" role=\"{0}\" aria-labelledby=\"{1}.label\" "
+        "aria-describedby=\"{1}.prompt\">\n",
+        picks_choice(ask_.type) ? "radiogroup" : "group", id_);
     for (std::size_t i = 0; i < ask_.choice_texts.size(); ++i)
       html += picks_choice(ask_.type) ? radio(i) : place(i);
     return html + "</div>\n";
@@ -132,13 +134,11 @@ class QuestionHtml {
   std::string right_one() const {
     if (ask_.derivation) return worked();
     if (ask_.expression)
-      return "<p>" +
-             words::kTyped.with(language(), {html_.line('$' + tex_of(*ask_.expression, &vocabulary()) + '$'),
-                                             "<code>" + html_escaped(ask_.expression->text) + "</code>"}) +
-             "</p>\n";
+      return "<p>" + html_.line('$' + tex_of(*ask_.expression, &vocabulary()) + '$') + "</p>\n";
     if (ask_.task) return state();
     if (ask_.number) {
-      const std::string number = with_decimals(words_of(*ask_.number), language());
+      std::string number = with_decimals(words_of(*ask_.number), language());
+      if (number.starts_with('-')) number.replace(0, 1, "−");
       return number.empty() ? "" : "<p>" + html_escaped(number) + "</p>\n";
     }
     const auto text = [&](int answer) { return choice_text(static_cast<std::size_t>(answer - 1)); };

@@ -147,10 +147,9 @@ TEST(AltText, MomentsCountRoundsAboutL) {
   scene.show = {Overlay::shape, Overlay::L};
   scene.w0_B = {0.04, 0, 1};
   const double turn_s = 2.0 * std::numbers::pi;
-  EXPECT_EQ(
-      moment_in_words(make_model(scene), {}, 0.0, turn_s, turn_s),
-      "The same at t = 6.283 seconds. Since t = 0 seconds axis 3 has gone round L 2 times, and axis 1 has "
-      "once.");
+  EXPECT_EQ(moment_in_words(make_model(scene), {}, 0.0, turn_s, turn_s),
+            "The same at t = 6.283 seconds. Since t = 0 seconds, axis 3 has gone round L 2 times, and axis 1 "
+            "once.");
 }
 
 // A million turns would have to be looked at too often: fewer looks count others than there are.
@@ -183,7 +182,7 @@ TEST(AltText, MomentsSayWhichWayRoundOmegaGoesInTheBody) {
   scene.show = {Overlay::shape, Overlay::omega};
   scene.w0_B = {0.5, 0, 1};
   EXPECT_EQ(moment_in_words(make_model(scene), {}, 0.0, 3.1415927, 1.5707963),
-            "The same at t = 1.571 seconds. Since t = 0 seconds ω has gone 0.25 times round axis 3, "
+            "The same at t = 1.571 seconds. Since t = 0 seconds, ω has gone 0.25 times round axis 3, "
             "anticlockwise seen from its tip.");
   scene.body = {"rod", PrincipalMoments(2, 2, 1), std::nullopt};  // λ = −½ rad/s
   EXPECT_THAT(moment_in_words(make_model(scene), {}, 0.0, 6.2831853, 3.1415927),

@@ -41,6 +41,11 @@ TEST(PlotWords, TellHowACurveGoes) {
             "rises from 0 to 1, falls to minus 1, rises to 0 joules");
   EXPECT_EQ(course([](double t) { return 2.0 * sine(4.0 * t); }),
             "oscillates between minus 2 and 2 joules, with 4 maxima");
+  // 29 November 2026: five turns that begin at a top were told as four maxima.
+  EXPECT_EQ(course([](double t) { return sine(5.0 * t + 0.25); }),
+            "oscillates between minus 1 and 1 joule, with 6 maxima, one at each end");
+  EXPECT_EQ(course([](double t) { return sine(4.5 * t + 0.25); }),
+            "oscillates between minus 1 and 1 joule, with 5 maxima, one at the start");
   EXPECT_EQ(course([](double t) { return std::exp(-2.0 * t) * sine(4.0 * t); }).find("goes up and down"), 0u)
       << "it dies away";
 }
