@@ -5,6 +5,8 @@
 #include "app/narration/speech_text.h"
 #include "app/page/figure_place.h"
 #include "app/page/live_numbers.h"
+#include "app/page/plot_words.h"
+#include "base/words/speech_words.h"
 #include "physics/method.h"
 #include "render/figure/make_figure.h"
 
@@ -28,8 +30,11 @@ class FigureMaker : public PictureMaker {
     const auto shown = shown_in(picture);
     if (!shown) return passed_on(shown);
     const auto& [model, t_s] = *shown;
-    const std::string alt = speech_.words_of_title(*picture.stage) + ' ' +
-                            alt_text(*model, speech_.words_of_scenes(step_of(picture), *picture.scene), t_s);
+    std::string alt = speech_.words_of_title(*picture.stage) + ' ' +
+                      alt_text(*model, speech_.words_of_scenes(step_of(picture), *picture.scene), t_s);
+    if (const std::string diagrams = words_of_diagrams(*model, t_s, speech_, context_.renderer.fonts());
+        !diagrams.empty())
+      alt += ' ' + speech_.opening(words::kInTheDiagram) + diagrams;
     return {{alt, tex_shown(*picture.stage, picture.step), t_s, std::string(model->motion->method()),
              context_.options.size}};
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/folder/manifest.h"
 #include "app/export/picture_maker.h"
-#include "app/narration/alt_text.h"
 #include "app/narration/short_answers.h"
 #include "app/narration/speech_text.h"
 #include "app/narration/still_numbers.h"
@@ -39,10 +38,8 @@ class PageMaker : public PictureMaker {
     for (const FigureCell& cell : figures_on_page(request)) {
       const Scene& scene = cell.model->scene;  // which a hand may have changed
       description.alt += ' ' + speech_.opening(words::kFigure) +
-                         alt_text(*cell.model, speech_.words_of_scenes(*cell.step, scene), cell.t_s);
-      const bool is_asked = !blocks_of<Ask>(*cell.step).empty();
-      if (const std::string plots = words_of_plots(*cell.model, cell.t_s, speech_, is_asked); !plots.empty())
-        description.alt += ' ' + speech_.opening(words::kPlotted) + plots;
+                         figure_in_words(*cell.model, speech_.words_of_scenes(*cell.step, scene), cell.t_s,
+                                         speech_, &fonts());
     }
     const int first = request.before ? request.step - static_cast<int>(request.before->size()) : request.step;
     if (const std::string answers = answers_at_foot(request, first); !answers.empty())

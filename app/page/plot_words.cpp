@@ -6,7 +6,9 @@
 #include "base/words/formula_words.h"
 #include "base/words/page_words.h"
 #include "base/words/speech_words.h"
+#include "render/drawing/diagrams/diagrams.h"
 #include "render/drawing/plots/meter_plots.h"
+#include "render/scene/model/scene_needs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -251,6 +253,34 @@ std::string words_of_plots(const SceneModel& model, double t_s, const SpeechText
     for (const TimePlot& plot : plots)
       text += (&plot == plots.data() ? "" : " ") + plot_in_words(plot, names, is_asked);
   }
+  return text;
+}
+
+std::string words_of_diagrams(const SceneModel& model, double t_s, const SpeechText& names,
+                              const Fonts& fonts) {
+  const PixelBox box{0, 0, 1280, 800};  // decides how the parts of a diagram are arranged
+  std::string text;
+  for (const SceneModel* shown : shown_models(model)) {
+    for (const Overlay diagram : diagrams_in(drawn_overlays(shown->scene))) {
+      if (diagram == Overlay::order_plot) continue;
+      std::string told;
+      for (const PlacedType& type : lay_out_diagram(diagram, *shown, t_s, box, {}, fonts).texts)
+        if (!type.text.empty()) told += (told.empty() ? "" : "; ") + names.words_of_line(type.text);
+      if (!told.empty()) text += (text.empty() ? "" : " ") + told + '.';
+    }
+  }
+  return text;
+}
+
+std::string figure_in_words(const SceneModel& model, const std::vector<SceneInWords>& said, double t_s,
+                            const SpeechText& names, const Fonts* fonts) {
+  std::string text = alt_text(model, said, t_s);
+  if (fonts != nullptr)
+    if (const std::string diagrams = words_of_diagrams(model, t_s, names, *fonts); !diagrams.empty())
+      text += ' ' + names.opening(words::kInTheDiagram) + diagrams;
+  const bool is_asked = !said.empty() && said.front().is_asked;
+  if (const std::string plots = words_of_plots(model, t_s, names, is_asked); !plots.empty())
+    text += ' ' + names.opening(words::kPlotted) + plots;
   return text;
 }
 

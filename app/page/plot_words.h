@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What the plots of a figure show, in words, for readers who cannot see them.
+// What the plots and diagrams of a figure show, in words, for readers who cannot see them.
 #pragma once
 
+#include "app/narration/alt_text.h"
 #include "app/narration/speech_text.h"
 #include "render/drawing/plots/time_plot.h"
 #include "render/scene/model/model.h"
+#include "render/typeset/fonts.h"
 
 #include <string>
+#include <vector>
 
 namespace polhode {
 
@@ -17,8 +20,18 @@ std::string course_in_words(const TimePlot& plot, const TimeSeries& curve);
 
 /// Of all plots that stand beside the model's figure, at t_s: the title, what they are against, from where to
 /// where, and how each curve goes. `names` is what is said of a label. Where a question is asked of the
-/// figure, whose answer may lie in how they go, it is read as it is by eye: values at both ends of a curve, at
-/// each top and bottom and halfway between them, up to 24. Empty: there are no plots.
+/// figure, whose answer may lie in how they go, it is read as it is by eye: values at both ends of a curve,
+/// at each top and bottom and halfway between them, up to 24. Empty: there are no plots.
 std::string words_of_plots(const SceneModel& model, double t_s, const SpeechText& names, bool is_asked);
+
+/// What stands in the diagrams of a figure, titles, terms and numbers in the order in which they are drawn;
+/// of plots of orders nothing, whose curves alt_text tells. Empty: there are no others.
+std::string words_of_diagrams(const SceneModel& model, double t_s, const SpeechText& names,
+                              const Fonts& fonts);
+
+/// All that is told of a figure and what stands beside it: alt_text, its diagrams and its plots.
+/// @param fonts null: diagrams are left out
+std::string figure_in_words(const SceneModel& model, const std::vector<SceneInWords>& said, double t_s,
+                            const SpeechText& names, const Fonts* fonts);
 
 }  // namespace polhode

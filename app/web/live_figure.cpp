@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/web/live_figure.h"
 
-#include "app/narration/alt_text.h"
 #include "app/page/live_numbers.h"
 #include "app/page/page.h"
 #include "app/page/plot_words.h"
 #include "app/session/camera_moves.h"
 #include "app/session/command.h"
 #include "base/numbers.h"
-#include "base/words/speech_words.h"
 #include "lessons/reader/reader.h"
 #include "physics/method.h"
 #include "render/gl/framebuffer.h"
@@ -472,11 +470,9 @@ const AccuracyReading& LiveFigure::accuracy() {
 
 std::string LiveFigure::alt_text_now() {
   const Scene& scene = model()->scene;
-  std::string said = alt_text(*model(), speech_->words_of_scenes(session_->step(), scene), session_->t_s());
-  const bool is_asked = !blocks_of<Ask>(session_->step()).empty();
-  if (const std::string plots = words_of_plots(*model(), session_->t_s(), *speech_, is_asked); !plots.empty())
-    said += ' ' + speech_->opening(words::kPlotted) + plots;
-  return said;
+  const Result<const Fonts*> type = fonts();
+  return figure_in_words(*model(), speech_->words_of_scenes(session_->step(), scene), session_->t_s(),
+                         *speech_, type ? *type : nullptr);
 }
 
 std::vector<std::string> LiveFigure::captions_now() {

@@ -189,6 +189,7 @@ inline constexpr Phrase kFigure{"Figure: ", "Abbildung: "};
 inline constexpr Phrase kFigureOf{"Figure {0} of {1}: ", "Abbildung {0} von {1}: "};
 inline constexpr Phrase kVaried{"Varied: ", "Verändert: "};
 inline constexpr Phrase kVariedFromTo{"{0} from {1} to {2} {3}", "{0} von {1} bis {2} {3}"};
+inline constexpr Phrase kInTheDiagram{"In the diagram: ", "Im Diagramm: "};
 inline constexpr Phrase kPlotted{"Plotted: ", "Aufgetragen: "};
 inline constexpr Phrase kDrawn{"Drawn: ", "Gezeichnet: "};
 inline constexpr Phrase kPlottedAgainst{" against ", " über "};

@@ -6,7 +6,6 @@
 #include "app/page/page.h"
 #include "app/page/plot_words.h"
 #include "app/publish/html_text.h"
-#include "base/words/speech_words.h"
 #include "render/gl/passes/background.h"
 #include "render/image/webp.h"
 
@@ -61,10 +60,7 @@ Outcome<ReaderPicture> ReaderFigures::moment(const Stage& stage, int step, doubl
     if (!dark) return passed_on(dark);
     made.dark = std::move(dark).value();
   }
-  made.alt = alt_text(model, words_of_scenes(of), t_s);
-  const bool is_asked = !blocks_of<Ask>(of).empty();
-  if (const std::string plots = words_of_plots(model, t_s, speech_, is_asked); !plots.empty())
-    made.alt += ' ' + speech_.opening(words::kPlotted) + plots;
+  made.alt = figure_in_words(model, words_of_scenes(of), t_s, speech_, &renderer_.fonts());
   return made;
 }
 

@@ -110,7 +110,7 @@ void DiagramPaper::place(DisplayList list, const Vec2& at, double align, const s
 }
 
 void DiagramPaper::math(const std::string& tex, const Vec2& at, const Type& type) {
-  place(set(tex, type.size, type.quiet), at, type.align, tex);
+  place(set(tex, type.size, type.quiet), at, type.align, '$' + tex + '$');
 }
 
 void DiagramPaper::text(const std::string& text, const Vec2& at, const Type& type) {

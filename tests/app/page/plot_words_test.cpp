@@ -95,5 +95,24 @@ TEST(PlotWords, AReaderHearsAxesAndCurves) {
   EXPECT_THAT(asked, ContainsRegex("T: ([^;,]+) at 0, \\1 at 0.75, \\1 joules at 1.5[.]"));
 }
 
+// 29 November 2026: of a diagram only its name was told.
+TEST(PlotWords, WhatStandsInADiagramIsTold) {
+  Scene scene;
+  scene.show = {Overlay::energy_rows};
+  Lesson lesson;
+  const SpeechText names(lesson);
+  const Result<Fonts> fonts = Fonts::open();
+  ASSERT_TRUE(fonts);
+  const SceneModel model = make_model(scene, ModelFor::page);
+  const std::string told = words_of_diagrams(model, 0.0, names, *fonts);
+  EXPECT_THAT(told, testing::StartsWith("The products, end to end; W; omega sub 1 "));
+  EXPECT_THAT(told,
+              ContainsRegex("I sub 2 minus I sub 1[^;]*; [−0-9.]+; sum; 0; The first terms, computed; W;"));
+  EXPECT_THAT(figure_in_words(model, {{}}, 0.0, names, &*fonts), HasSubstr(" In the diagram: The products"));
+  EXPECT_THAT(figure_in_words(model, {{}}, 0.0, names, nullptr), Not(HasSubstr("In the diagram")));
+  scene.show = {Overlay::omega};
+  EXPECT_EQ(words_of_diagrams(make_model(scene, ModelFor::page), 0.0, names, *fonts), "");
+}
+
 }  // namespace
 }  // namespace polhode

@@ -147,7 +147,7 @@ TEST(Diagrams, CofactorsAreLitOneAfterTheOther) {
   Scene scene = scene_of(Overlay::cofactors);
   scene.duration_s = 3.0;
   const Vec3 I = scene.body.moments.vector();
-  const char* units[] = {"\\hat i", "\\hat j", "\\hat k"};
+  const char* units[] = {"$\\hat i$", "$\\hat j$", "$\\hat k$"};
   for (int lit = 0; lit < 3; ++lit) {
     const Sheet sheet = sheet_of(scene, lit + 0.5);
     const Vec3 w = make_model(scene).motion->w_B_at(lit + 0.5);
@@ -167,12 +167,12 @@ TEST(Diagrams, TheWheelTellsTheTermsOfEulersEquations) {
   Scene scene = scene_of(Overlay::cyclic_wheel);
   scene.torque = {BodyTorque{{0.25, -0.5, 0.125}}};
   const Sheet sheet = sheet_of(scene, 0.3);
-  for (const char* text : {"(7)", "(8)", "(9)", "N_1", "0.250", "−0.500", "0.125"})
+  for (const char* text : {"(7)", "(8)", "(9)", "$N_1$", "0.250", "−0.500", "0.125"})
     EXPECT_EQ(texts_of(sheet, text).size(), 1u) << text;
   scene.torque.clear();
   const Sheet free = sheet_of(scene, 0.3);
   for (const char* text : {"(10)", "(11)", "(12)"}) EXPECT_EQ(texts_of(free, text).size(), 1u) << text;
-  EXPECT_TRUE(texts_of(free, "N_1").empty());
+  EXPECT_TRUE(texts_of(free, "$N_1$").empty());
 }
 
 TEST(Diagrams, RowsEndWhereTheyBegan) {
