@@ -200,8 +200,7 @@ TEST(StateTask, ItIsSaidWhatIsToBeReachedAndChanged) {
   std::string text;
   for (const TextBlock& block : ask->prompt_text)
     for (const TextSpan& span : block.spans) text += span.text;
-  EXPECT_EQ(text,
-            "Do it.Goal: angle of ω and L = 20° ± 1°, at the start.You may change \\vec\\omega.");
+  EXPECT_EQ(text, "Do it.Goal: angle of ω and L = 20° ± 1°, at the start.You may change \\vec\\omega.");
   const RichText asked = without_goals(*ask);
   ASSERT_EQ(asked.size(), 1u);
   EXPECT_EQ(asked.front().spans.front().text, "Do it.");
