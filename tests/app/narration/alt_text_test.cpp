@@ -167,7 +167,7 @@ TEST(AltText, MomentsCallAxesByTheirNamesInTheFigure) {
   scene.show = {Overlay::shape, Overlay::L};
   scene.w0_B = {0.04, 0, 1};
   EXPECT_THAT(moment_in_words(make_model(scene), {{.axes = {"\"mark\"", "", ""}}}, 0.0, 6.2831853, 6.2831853),
-              testing::EndsWith("axis 3 has gone round L 2 times, and \"mark\" has once."));
+              testing::EndsWith("axis 3 has gone round L 2 times, and \"mark\" once."));
   scene.body = {"book", PrincipalMoments(1, 1.5, 2), std::nullopt};
   EXPECT_THAT(moment_in_words(make_model(scene), {}, 0.0, 6.2831853, 6.2831853),
               HasSubstr("Axis 3 of the body points"))
