@@ -94,9 +94,9 @@ TEST(Sources, OfPanelsHaveNoWordsOfTheirOwn) {
     if (!is_panel && !file.path.starts_with("app/window/speaker/")) continue;
     ++looked_at;
     for (std::sregex_iterator text(file.text.begin(), file.text.end(), kWords), end; text != end; ++text) {
-      const bool is_in_comment =
-          file.text.rfind("//", text->position()) != std::string::npos &&
-          file.text.rfind("//", text->position()) > file.text.rfind('\n', text->position());
+      const auto at = static_cast<std::size_t>(text->position());
+      const std::size_t comment = file.text.rfind("//", at);
+      const bool is_in_comment = comment != std::string::npos && comment > file.text.rfind('\n', at);
       EXPECT_TRUE(is_in_comment || kKnown.contains(text->str())) << file.path << ": " << text->str();
     }
   }

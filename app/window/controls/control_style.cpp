@@ -80,6 +80,18 @@ void add_small_signs(ImFontAtlas& atlas, Glyphs& font, Glyphs& small) {
 #endif
 }
 
+/// The characters that are in no range of a list.
+template <std::size_t N>
+constexpr std::array<ImWchar, N + 2> all_but(const std::array<ImWchar, N>& ranges) {
+  std::array<ImWchar, N + 2> rest = {1};
+  for (std::size_t i = 0; i + 1 < N; i += 2) {
+    rest[i + 1] = static_cast<ImWchar>(ranges[i] - 1);
+    rest[i + 2] = static_cast<ImWchar>(ranges[i + 1] + 1);
+  }
+  rest[N] = 0xFFFD;
+  return rest;
+}
+
 }  // namespace
 
 ControlSizes control_sizes(double scale) {
@@ -94,6 +106,7 @@ void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts) {
   static constexpr std::array<ImWchar, 13> kLatin = {
       0x20,  0xB1,   0xB4,   0xB8,   0xBA,  // ²³¹ are small signs
       0x36F, 0x1E00, 0x1EFF, 0x2010, 0x2027, 0x2211, 0x2213, 0};
+  static constexpr std::array<ImWchar, 15> kNotLatin = all_but(kLatin);
   static constexpr std::array<ImWchar, 5> kRest = {0xBA, 0xD7FF, 0xF900, 0xFFFD, 0};
   static constexpr std::array<ImWchar, 5> kOfSmallSigns = {'(', '=', 0x2212, 0x2212, 0};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -104,6 +117,12 @@ void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts) {
     config.OversampleV = 1;
     config.GlyphOffset.y = -std::round(0.06F * sizes.em);  // what is above the capitals is empty
     config.MergeMode = merged;
+#if IMGUI_VERSION_NUM >= 19200
+    // A face is asked for all that it has, in whichever ranges; those of Latin letters have Greek ones, too.
+    if (ranges == kLatin.data()) config.GlyphExcludeRanges = kNotLatin.data();
+#else
+    static_cast<void>(kNotLatin);
+#endif
     // Dear ImGui takes whole sizes from 1.90 on, and cuts off the rest of others.
     return *atlas.AddFontFromFileTTF(fonts.path(face).c_str(), std::round(size * sizes.em), &config, ranges);
   };
