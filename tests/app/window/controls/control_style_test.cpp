@@ -7,6 +7,7 @@
 #include "physics/body/bodies.h"
 #include "physics/method.h"
 #include "tests/app/session/example_lesson.h"
+#include "tests/app/window/control_glyphs.h"
 #include "tests/support/paths.h"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ class ControlFont : public testing::Test {
   ~ControlFont() override { ImGui::DestroyContext(imgui_); }
 
   static const ImFontGlyph* glyph(ImWchar character) {
-    return ImGui::GetIO().Fonts->Fonts[0]->FindGlyphNoFallback(character);
+    return test::glyphs_of(*ImGui::GetIO().Fonts->Fonts[0]).FindGlyphNoFallback(character);
   }
 
   void expect_all_of(std::string_view text, const std::string& where) {

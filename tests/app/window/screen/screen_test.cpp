@@ -9,6 +9,7 @@
 #include "lessons/reader/checks/lesson_check.h"
 #include "render/image/png.h"
 #include "render/scene/model/scene_needs.h"
+#include "tests/app/window/control_glyphs.h"
 #include "tests/app/window/screen_harness.h"
 #include "tests/base/files/folder.h"
 
@@ -708,9 +709,8 @@ class MissingGlyphs {
  public:
   MissingGlyphs() {
     for (ImFont* font : ImGui::GetIO().Fonts->Fonts) {
-      font->FallbackChar = kRare;
-      font->BuildLookupTable();
-      fallbacks_.push_back(font->FindGlyphNoFallback(kRare));
+      test::set_fallback(*font, kRare);
+      fallbacks_.push_back(test::glyphs_of(*font).FindGlyphNoFallback(kRare));
     }
   }
   std::size_t count() const {
