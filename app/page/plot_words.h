@@ -20,8 +20,9 @@ std::string course_in_words(const TimePlot& plot, const TimeSeries& curve);
 
 /// Of all plots that stand beside the model's figure, at t_s: the title, what they are against, from where to
 /// where, and how each curve goes. `names` is what is said of a label. Where a question is asked of the
-/// figure, whose answer may lie in how they go, it is read as it is by eye: values at both ends of a curve,
-/// at each top and bottom and halfway between them, up to 24. Empty: there are no plots.
+/// figure, whose answer may lie in how they go, it is read as it is by eye: at most 25 values, at both ends
+/// of a curve, at each top and bottom and, where those are few, halfway between them. Empty: there are no
+/// plots.
 std::string words_of_plots(const SceneModel& model, double t_s, const SpeechText& names, bool is_asked);
 
 /// What stands in the diagrams of a figure, titles, terms and numbers in the order in which they are drawn;
