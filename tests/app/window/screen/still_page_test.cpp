@@ -375,7 +375,9 @@ TEST_F(StillPageTest, HowToBeginIsToldInTheColumnBelowTheText) {
 // 2026-11-28: with large controls the mark of how far the text is scrolled stood in the figure.
 TEST_F(StillPageTest, TheMarkOfScrollingIsBetweenTextAndFigure) {
   for (const double text_scale : {1.0, 1.5})
-    for (const auto& [size, scale] : kShown) {
+    for (const Shown& shown : kShown) {
+      const Size size = shown.size;
+      const double scale = shown.scale;
       session.preferences.text_scale = text_scale;
       session.go_to({0, 3});
       const auto draw = [&] {
